@@ -1,0 +1,2 @@
+//! The host program: `simulate` draws a model, `firmware` compares boards with the host.
+fn main() {}

@@ -1,0 +1,1 @@
+//! The host shim: what needs an operating system.

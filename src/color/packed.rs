@@ -1,0 +1,106 @@
+use super::{Rgb, Rgb16};
+
+/// Half a step of an 8-bit channel in 8.8: what turns cutting off into rounding.
+pub(crate) const HALF: u16 = 128;
+
+/// The colour inside the loops: sixteen bits a channel in two words, independent of any format.
+///
+/// ```text
+///            31            16 15             0
+/// blue_red   | blue    8.8  | red      8.8  |
+/// green      | green                   8.24 |
+/// ```
+/// 8.8 and 5.11 are the same sixteen bits, so packing to RGB565 is two masks and two shifts and
+/// packing to RGBA8888 is two masks: the low bits may be anything. Red lies low and blue high
+/// because both formats then take red without a shift.
+///
+/// # Rounding
+/// Made from 8-bit channels the fraction is one half, so that formats may cut off: an RGBA8888
+/// picture shows exactly the channel that was given, and interpolation has a quarter of a step
+/// of play on either side before it shows another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Color {
+    /// Blue as 8.8 in the upper half, red as 8.8 in the lower.
+    pub blue_red: u32,
+    /// Green as 8.24.
+    pub green: u32,
+}
+
+impl Color {
+    /// The colour of three 8-bit channels.
+    pub const fn new(r: u8, g: u8, b: u8) -> Self {
+        Self::from_rgb16(Rgb16::from_rgb(Rgb::new(r, g, b)))
+    }
+
+    /// The colour of three 8.8 channels; what exceeds [`Rgb16::FULL`] is taken as full.
+    pub const fn from_rgb16(rgb: Rgb16) -> Self {
+        Self {
+            blue_red: (rounded(rgb.b) as u32) << 16 | rounded(rgb.r) as u32,
+            green: (rounded(rgb.g) as u32) << 16,
+        }
+    }
+
+    /// Red without its fraction.
+    #[inline(always)]
+    pub const fn red(self) -> u8 {
+        (self.blue_red >> 8) as u8
+    }
+
+    /// Green without its fraction.
+    #[inline(always)]
+    pub const fn green(self) -> u8 {
+        (self.green >> 24) as u8
+    }
+
+    /// Blue without its fraction.
+    #[inline(always)]
+    pub const fn blue(self) -> u8 {
+        (self.blue_red >> 24) as u8
+    }
+}
+
+/// An 8.8 channel with the half step added that makes a cut a rounding; at most 65408.
+pub(crate) const fn rounded(channel: u16) -> u16 {
+    if channel > Rgb16::FULL {
+        Rgb16::FULL + HALF
+    } else {
+        channel + HALF
+    }
+}
+
+impl From<Rgb> for Color {
+    #[inline(always)]
+    fn from(rgb: Rgb) -> Self {
+        Self::new(rgb.r, rgb.g, rgb.b)
+    }
+}
+
+impl From<Rgb16> for Color {
+    #[inline(always)]
+    fn from(rgb: Rgb16) -> Self {
+        Self::from_rgb16(rgb)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_8_bit_channel_survives_the_trip() {
+        for v in 0..=255 {
+            let color = Color::new(v, 255 - v, v / 2);
+            assert_eq!(
+                (color.red(), color.green(), color.blue()),
+                (v, 255 - v, v / 2),
+                "channel {v} came back as another"
+            );
+        }
+    }
+
+    #[test]
+    fn channels_above_full_are_full() {
+        let color = Color::from_rgb16(Rgb16::new(u16::MAX, Rgb16::FULL + 1, Rgb16::FULL));
+        assert_eq!(color, Color::new(255, 255, 255), "brought down to full");
+    }
+}

@@ -1,0 +1,38 @@
+use super::{fill_words, Color, Format, Rgb565};
+
+/// Sixteen bits a pixel in the byte order of SPI panels: red's byte comes first in memory.
+///
+/// A buffer of it goes to an ILI9341 or ST7789 as it stands. Costs one instruction a pixel more
+/// than [`Rgb565`] on Cortex-M.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rgb565Be;
+
+impl Format for Rgb565Be {
+    type Raw = u16;
+
+    #[inline(always)]
+    fn pack(color: Color) -> u16 {
+        Rgb565::encode(color).to_be()
+    }
+
+    #[inline(always)]
+    fn unpack(raw: u16) -> Color {
+        Rgb565::decode(u16::from_be(raw))
+    }
+
+    #[inline(always)]
+    fn fill(pixels: &mut [u16], raw: u16) {
+        fill_words(pixels, raw, u32::from(raw) * 0x0001_0001);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn red_is_f8_00_on_the_wire() {
+        let raw = Rgb565Be::pack(Color::new(255, 0, 0));
+        assert_eq!(raw.to_ne_bytes(), [0xF8, 0x00], "red's byte first");
+    }
+}

@@ -1,0 +1,39 @@
+use super::{fill_words, Color, Format};
+
+/// Thirty-two bits a pixel: the bytes red, green, blue, 255 in memory on every machine.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rgba8888;
+
+impl Format for Rgba8888 {
+    type Raw = u32;
+
+    #[inline(always)]
+    fn pack(color: Color) -> u32 {
+        let blue_red = (color.blue_red >> 8) & 0x00FF_00FF;
+        let green = (color.green >> 16) & 0xFF00;
+        (0xFF00_0000 | blue_red | green).to_le()
+    }
+
+    #[inline(always)]
+    fn unpack(raw: u32) -> Color {
+        let [r, g, b, _] = raw.to_ne_bytes();
+        Color::new(r, g, b)
+    }
+
+    #[inline(always)]
+    fn fill(pixels: &mut [u32], raw: u32) {
+        fill_words(pixels, raw, raw);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_are_red_green_blue_alpha() {
+        let raw = Rgba8888::pack(Color::new(1, 2, 3));
+        assert_eq!(raw.to_ne_bytes(), [1, 2, 3, 255], "memory order");
+        assert_eq!(Rgba8888::pack(Rgba8888::unpack(raw)), raw, "round trip");
+    }
+}

@@ -1,0 +1,113 @@
+use core::iter::Repeat;
+use core::slice::IterMut;
+
+/// A frame without depth: no field, no branch, no cycle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NoDepth;
+
+/// The caller's 16-bit depth codes, one a pixel: larger is nearer, 0 is farthest.
+#[derive(Debug)]
+pub struct DepthBuffer<'a> {
+    pub(super) codes: &'a mut [u16],
+    pub(super) stride: usize,
+}
+
+/// Whether a pass touches depth: [`Untouched`] or [`ReadWrite`].
+///
+/// It gives the type of one row of depth, which the pixel loop walks beside the colours.
+pub trait DepthAccess {
+    /// Whether depth is touched at all.
+    const TOUCHES: bool;
+    /// A row of depth.
+    type Cells<'a>;
+    /// One pixel's depth.
+    type Cell<'a>;
+    /// Walks a row.
+    type Iter<'a>: Iterator<Item = Self::Cell<'a>>;
+
+    /// The walk over a row.
+    fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a>;
+    /// The stored code.
+    fn read<'a>(cell: &Self::Cell<'a>) -> u16;
+    /// Stores a code.
+    fn write<'a>(cell: Self::Cell<'a>, code: u16);
+}
+
+/// The pass neither reads nor writes depth.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Untouched;
+
+/// The pass reads and may write depth.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ReadWrite;
+
+impl DepthAccess for Untouched {
+    const TOUCHES: bool = false;
+    type Cells<'a> = ();
+    type Cell<'a> = ();
+    type Iter<'a> = Repeat<()>;
+
+    #[inline(always)]
+    fn iter<'a>((): Self::Cells<'a>) -> Self::Iter<'a> {
+        core::iter::repeat(())
+    }
+
+    #[inline(always)]
+    fn read<'a>((): &Self::Cell<'a>) -> u16 {
+        0
+    }
+
+    #[inline(always)]
+    fn write<'a>((): Self::Cell<'a>, _code: u16) {}
+}
+
+impl DepthAccess for ReadWrite {
+    const TOUCHES: bool = true;
+    type Cells<'a> = &'a mut [u16];
+    type Cell<'a> = &'a mut u16;
+    type Iter<'a> = IterMut<'a, u16>;
+
+    #[inline(always)]
+    fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a> {
+        cells.iter_mut()
+    }
+
+    #[inline(always)]
+    fn read<'a>(cell: &Self::Cell<'a>) -> u16 {
+        **cell
+    }
+
+    #[inline(always)]
+    fn write<'a>(cell: Self::Cell<'a>, code: u16) {
+        *cell = code;
+    }
+}
+
+/// What a frame can give to a pass: a frame with depth serves every pass, one without serves
+/// those that do not touch it. A pass with a depth test on a frame without depth does not compile.
+pub trait Supplies<A: DepthAccess> {
+    /// Columns `left..right` of held row `row`; `None` where the buffer does not reach.
+    fn cells(&mut self, row: usize, left: usize, right: usize) -> Option<A::Cells<'_>>;
+}
+
+impl Supplies<Untouched> for NoDepth {
+    #[inline(always)]
+    fn cells(&mut self, _row: usize, _left: usize, _right: usize) -> Option<()> {
+        Some(())
+    }
+}
+
+impl Supplies<Untouched> for DepthBuffer<'_> {
+    #[inline(always)]
+    fn cells(&mut self, _row: usize, _left: usize, _right: usize) -> Option<()> {
+        Some(())
+    }
+}
+
+impl Supplies<ReadWrite> for DepthBuffer<'_> {
+    #[inline(always)]
+    fn cells(&mut self, row: usize, left: usize, right: usize) -> Option<&mut [u16]> {
+        let start = row.wrapping_mul(self.stride);
+        self.codes.get_mut(start.wrapping_add(left)..start.wrapping_add(right))
+    }
+}

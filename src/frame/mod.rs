@@ -1,0 +1,18 @@
+//! The caller's colour and depth buffers as one checked view.
+//!
+//! A [`Frame`] borrows its buffers, checks their lengths once and cannot fail from then on. It may
+//! show a whole picture, a part of a larger buffer (stride), or a band of rows of a taller picture
+//! (`first_row`); coordinates are the picture's in every case, so that bands and scissors change
+//! no pixel.
+
+mod depth;
+mod error;
+mod rect;
+mod size;
+mod view;
+
+pub use depth::{DepthAccess, DepthBuffer, NoDepth, ReadWrite, Supplies, Untouched};
+pub use error::FrameError;
+pub use rect::Rect;
+pub use size::Size;
+pub use view::{Frame, MAX_SIDE};

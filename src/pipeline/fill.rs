@@ -1,0 +1,95 @@
+use crate::color::Format;
+use crate::frame::{DepthAccess, Frame, Rect, Supplies};
+use crate::raster::{Gradients, Plane, SpanWalk, Traversal, Triangle};
+use crate::shade::{Corner, DepthTest, Row, Shader, State, Varying};
+
+/// How a state touches depth.
+pub(crate) type Access<S> = <<S as State>::Depth as DepthTest>::Access;
+
+/// A triangle ready for its pixels: where it is, and its attributes in the same order.
+#[derive(Clone, Copy)]
+pub(super) struct Fill<'a, V: Varying> {
+    pub(super) triangle: &'a Triangle,
+    pub(super) corners: [&'a Corner<V>; 3],
+    pub(super) provoking: &'a Corner<V>,
+}
+
+/// The plane of a triangle's depth codes, 16.16, raised by a half so that cutting off rounds.
+pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
+    let [a, b, c] = &triangle.v;
+    let mut plane = gradients.plane(a.z, b.z, c.z);
+    plane.origin = plane.origin.wrapping_add(0x8000);
+    plane
+}
+
+impl<V: Varying> Fill<'_, V> {
+    /// Draws the triangle's pixels inside `area`.
+    ///
+    /// One copy of this, with the pixel loop inlined, is what a shader and state cost in flash.
+    /// Planes are made at the first span that is not empty.
+    #[inline(never)]
+    pub(super) fn draw<H, S, F, D>(
+        &self,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        shader: &H,
+        area: Rect,
+    ) where
+        H: Shader<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let Some(mut walk) = state.traversal().walk(self.triangle, area) else { return };
+        let Some(mut span) = walk.next_span() else { return };
+        let touches_depth = <Access<S>>::TOUCHES;
+        let (mut z_plane, mut gradients) = (Plane::default(), Gradients::default());
+        if touches_depth || V::INTERPOLATED {
+            gradients = Gradients::new(self.triangle);
+        }
+        if touches_depth {
+            z_plane = depth_plane(&gradients, self.triangle);
+        }
+        let planes = V::planes(&gradients, self.corners, self.provoking);
+        let (depth, counter) = state.parts();
+        loop {
+            let y = span.y;
+            let mut left = span.left;
+            loop {
+                // Where the varying may only be stepped so far, a span is drawn in pieces.
+                let (start, right) = if V::PIECE == 0 {
+                    (left, span.right)
+                } else {
+                    let column = left & V::PIECE.wrapping_neg();
+                    (column.max(span.first), column.wrapping_add(V::PIECE).min(span.right))
+                };
+                let (mut varying, step) = V::start(&planes, start, y);
+                if V::PIECE != 0 {
+                    varying.advance(&step, left.wrapping_sub(start));
+                }
+                let Some((pixels, cells)) = frame.row_with_depth::<Access<S>>(y, left, right)
+                else {
+                    return;
+                };
+                shader.span(Row::<S, F, V> {
+                    pixels,
+                    cells,
+                    z: z_plane.at(left, y),
+                    z_step: z_plane.dx,
+                    varying,
+                    step,
+                    depth,
+                    counter,
+                });
+                left = right;
+                if V::PIECE == 0 || left >= span.right {
+                    break;
+                }
+            }
+            match walk.next_span() {
+                Some(next) => span = next,
+                None => return,
+            }
+        }
+    }
+}

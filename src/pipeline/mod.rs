@@ -1,0 +1,23 @@
+//! From a mesh to triangles on the screen: transform, clip, assemble, draw.
+//!
+//! A [`Pass`] holds the state and draws meshes; a [`ScreenPass`] draws primitives that are in
+//! screen space already. What is generic over shader, state or format is the fetch of a vertex's
+//! attributes and the loop over spans; the rest works on integers and is compiled once.
+
+mod assembly;
+mod cache;
+mod clip;
+mod clipper;
+mod cull;
+mod fill;
+mod mapping;
+mod pass;
+mod projected;
+mod screen_pass;
+mod transform;
+
+pub use cache::VertexCache;
+pub use clip::Clip;
+pub use cull::{Cull, Winding};
+pub use pass::Pass;
+pub use screen_pass::ScreenPass;

@@ -1,0 +1,326 @@
+use super::assembly::{Assembly, Face, MeshPositions, Next, Positions};
+use super::cache::CacheView;
+use super::clipper::Polygon;
+use super::fill::{Access, Fill};
+use super::mapping::Mapping;
+use super::transform::Transform;
+use super::{Clip, Cull, VertexCache, Winding};
+use crate::color::Format;
+use crate::frame::{Frame, Rect, Size, Supplies};
+use crate::math::Mat4;
+use crate::raster::{Traversal, Triangle};
+use crate::scene::{Camera, Mesh};
+use crate::shade::{
+    Corner, Counter, Counting, DepthTest, DrawContext, Event, Shader, State, States, Stats, Varying,
+};
+
+/// Draws meshes: a camera, and the state in which triangles are drawn.
+///
+/// State that changes the pixel loop ([`depth`](Self::depth), [`count`](Self::count)) is part of
+/// the type, so that what is not asked for is not there; the rest are plain values.
+///
+/// ```
+#[doc = include_str!("../../examples/hello.rs")]
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Pass<'c, S = States> {
+    camera: &'c Camera,
+    cull: Cull,
+    front: Winding,
+    viewport: Option<Rect>,
+    state: S,
+}
+
+impl<'c> Pass<'c> {
+    /// A pass that draws all triangles, without depth, into the whole picture.
+    pub fn new(camera: &'c Camera) -> Self {
+        Self {
+            camera,
+            cull: Cull::None,
+            front: Winding::CounterClockwise,
+            viewport: None,
+            state: States::default(),
+        }
+    }
+}
+
+impl<'c, D, C, T> Pass<'c, States<D, C, T>> {
+    /// Tests depth, and writes it where the test says so: [`Less`](crate::Less) and its kin.
+    pub fn depth<N: DepthTest>(self, depth: N) -> Pass<'c, States<N, C, T>> {
+        self.map(|States { counter, traversal, .. }| States { depth, counter, traversal })
+    }
+
+    /// Counts triangles and pixels into `stats`, on top of what it holds.
+    pub fn count(self, stats: &mut Stats) -> Pass<'c, States<D, Counting<'_>, T>> {
+        let counter = Counting(stats);
+        self.map(|States { depth, traversal, .. }| States { depth, counter, traversal })
+    }
+
+    /// Finds pixels in another way; all ways give the same picture.
+    pub fn traversal<N: Traversal>(self, traversal: N) -> Pass<'c, States<D, C, N>> {
+        self.map(|States { depth, counter, .. }| States { depth, counter, traversal })
+    }
+
+    fn map<N>(self, change: impl FnOnce(States<D, C, T>) -> N) -> Pass<'c, N> {
+        let Self { camera, cull, front, viewport, state } = self;
+        Pass { camera, cull, front, viewport, state: change(state) }
+    }
+}
+
+impl<S> Pass<'_, S> {
+    /// Leaves out triangles by the side that they show.
+    #[must_use]
+    pub fn cull(mut self, cull: Cull) -> Self {
+        self.cull = cull;
+        self
+    }
+
+    /// Says which winding is the front.
+    #[must_use]
+    pub fn front_face(mut self, winding: Winding) -> Self {
+        self.front = winding;
+        self
+    }
+
+    /// Draws into a part of the picture; nothing is drawn outside of it.
+    ///
+    /// # Range
+    /// At most 8192 pixels a side; a larger one, or an empty one, draws nothing.
+    #[must_use]
+    pub fn viewport(mut self, viewport: Rect) -> Self {
+        self.viewport = Some(viewport);
+        self
+    }
+}
+
+/// The largest coordinate of a viewport: far beyond any picture, and nothing overflows.
+const FARTHEST: i32 = 1 << 16;
+
+impl<S: State> Pass<'_, S> {
+    /// Draws a mesh: `model` leads from its own space to the world.
+    ///
+    /// Vertices that triangles share are transformed once while they are among the 32 newest by
+    /// slot; see [`draw_cached`](Self::draw_cached) for more.
+    pub fn draw<H, F, D>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        model: &Mat4,
+        mesh: &Mesh<'_, H::Vertex>,
+        shader: &H,
+    ) where
+        H: Shader,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let mut cache = VertexCache::<Corner<H::Varying>, 32>::new();
+        self.draw_cached(frame, model, mesh, shader, &mut cache);
+    }
+
+    /// Draws a mesh with a vertex cache of the caller's.
+    pub fn draw_cached<H, F, D, const N: usize>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        model: &Mat4,
+        mesh: &Mesh<'_, H::Vertex>,
+        shader: &H,
+        cache: &mut VertexCache<Corner<H::Varying>, N>,
+    ) where
+        H: Shader,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let viewport = self.viewport.unwrap_or(Rect::from_size(frame.picture()));
+        let triangles = u32::try_from(mesh.triangles()).unwrap_or(u32::MAX);
+        let Some((context, transform)) = self.prepare::<H, _>(model, mesh, viewport) else {
+            let (_, counter) = self.state.parts();
+            for _ in 0..triangles {
+                counter.event(Event::Triangle);
+                counter.event(Event::Skipped);
+            }
+            return;
+        };
+        let assembly = Assembly {
+            indices: mesh.indices,
+            triangles,
+            cursor: 0,
+            mapping: Mapping::new(viewport, transform.depth),
+            area: frame.scissor().intersection(viewport),
+            cull: self.cull,
+            front: self.front,
+        };
+        let draw = Draw { mesh, shader, prepared: &shader.prepare(&context), transform: &transform };
+        if H::OWN_POSITIONS {
+            draw.run(&draw, assembly, frame, &mut self.state, cache.start());
+        } else {
+            let positions =
+                MeshPositions { transform: &transform, positions: mesh.positions };
+            draw.run(&positions, assembly, frame, &mut self.state, cache.start());
+        }
+    }
+
+    /// Matrices of a draw; `None` if they are not finite or the viewport is out of range.
+    fn prepare<H: Shader, A>(
+        &self,
+        model: &Mat4,
+        mesh: &Mesh<'_, A>,
+        viewport: Rect,
+    ) -> Option<(DrawContext, Transform)> {
+        let (width, height) = (viewport.width(), viewport.height());
+        let side = |side: u32| u16::try_from(side).ok().filter(|s| *s <= crate::MAX_SIDE);
+        let size = Size::new(side(width)?, side(height)?);
+        let within = |v: i32| v.unsigned_abs() <= FARTHEST as u32;
+        if size.width == 0 || size.height == 0 || !within(viewport.left) || !within(viewport.top) {
+            return None;
+        }
+        let aspect = f32::from(size.width) / f32::from(size.height);
+        let context = DrawContext {
+            model: *model,
+            view: self.camera.view(),
+            projection: self.camera.projection(aspect),
+            viewport: size,
+        };
+        let near = self.camera.constant_near();
+        let transform = if H::OWN_POSITIONS {
+            Transform::identity(near.is_none())
+        } else {
+            let matrix = context.model_view_projection() * mesh.matrix();
+            Transform::new(&matrix, near, near.is_none())?
+        };
+        Some((context, transform))
+    }
+}
+
+/// One draw of a mesh: what depends on the shader, but not on state or format.
+#[derive(Debug)]
+struct Draw<'a, H: Shader> {
+    mesh: &'a Mesh<'a, H::Vertex>,
+    shader: &'a H,
+    prepared: &'a H::Prepared,
+    transform: &'a Transform,
+}
+
+impl<H: Shader> Positions for Draw<'_, H> {
+    fn clip(&self, index: u32) -> Option<Clip> {
+        let vertex = self.mesh.attributes.get(index as usize)?;
+        self.shader.position(self.prepared, vertex)
+    }
+}
+
+impl<H: Shader> Draw<'_, H> {
+    #[inline(always)]
+    fn run<P, S, F, D>(
+        &self,
+        positions: &P,
+        mut assembly: Assembly<'_>,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        mut cache: CacheView<'_, Corner<H::Varying>>,
+    ) where
+        P: Positions,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let mut face =
+            Face { number: 0, vertices: [0; 3], triangle: Triangle::EMPTY };
+        loop {
+            let (_, counter) = state.parts();
+            match assembly.next(positions, &mut cache.positions, counter, &mut face) {
+                Next::End => return,
+                Next::Whole => {
+                    let Some(corners) = self.corners(&face, &mut cache) else {
+                        state.parts().1.event(Event::Skipped);
+                        continue;
+                    };
+                    state.parts().1.event(Event::Drawn);
+                    let [a, b, c] = &corners;
+                    let ordered = if face.triangle.flipped { [a, c, b] } else { [a, b, c] };
+                    Fill { triangle: &face.triangle, corners: ordered, provoking: a }
+                        .draw(frame, state, self.shader, assembly.area);
+                }
+                Next::Clip => {
+                    self.draw_clipped(positions, &assembly, &face, frame, state, &mut cache);
+                }
+            }
+        }
+    }
+
+    /// The attributes of a triangle's corners; only the provoking one's where nothing is
+    /// interpolated. `None` if the mesh lacks them.
+    #[inline(always)]
+    fn corners(
+        &self,
+        face: &Face,
+        cache: &mut CacheView<'_, Corner<H::Varying>>,
+    ) -> Option<[Corner<H::Varying>; 3]> {
+        let shade = |vertex: &H::Vertex| self.shader.vertex(self.prepared, vertex);
+        if self.mesh.by_face {
+            let corner = shade(self.mesh.attributes.get(face.number as usize)?);
+            return Some([corner; 3]);
+        }
+        let mut corner = |index: u32| {
+            let vertex = self.mesh.attributes.get(index as usize)?;
+            Some(cache.corner(index, || shade(vertex)))
+        };
+        let [a, b, c] = face.vertices;
+        let provoking = corner(a)?;
+        if H::Varying::INTERPOLATED {
+            Some([provoking, corner(b)?, corner(c)?])
+        } else {
+            Some([provoking; 3])
+        }
+    }
+
+    /// A triangle that crosses the near or far plane or the guard box.
+    #[inline(never)]
+    fn draw_clipped<P, S, F, D>(
+        &self,
+        positions: &P,
+        assembly: &Assembly<'_>,
+        face: &Face,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        cache: &mut CacheView<'_, Corner<H::Varying>>,
+    ) where
+        P: Positions,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let [a, b, c] = face.vertices.map(|index| positions.clip(index));
+        let (Some(a), Some(b), Some(c), Some(corners)) = (a, b, c, self.corners(face, cache)) else {
+            state.parts().1.event(Event::Skipped);
+            return;
+        };
+        let mut polygon = Polygon::default();
+        polygon.clip(&[a, b, c], &assembly.mapping, &self.transform.depth);
+        let fan = polygon.fan(&assembly.mapping);
+        let (_, counter) = state.parts();
+        counter.event(Event::Clipped);
+        if fan.triangles() == 0 {
+            counter.event(Event::Outside);
+            return;
+        }
+        if fan.area == 0 {
+            counter.event(Event::Degenerate);
+            return;
+        }
+        if assembly.cull.drops(fan.area, assembly.front) {
+            counter.event(Event::Culled);
+            return;
+        }
+        counter.event(Event::Drawn);
+        let [p, q, r] = &corners;
+        for i in 0..fan.triangles() {
+            let Some((points, weights)) = fan.triangle(i) else { return };
+            let Some(triangle) = Triangle::oriented(points) else { continue };
+            if triangle.flipped != (fan.area < 0) {
+                continue;
+            }
+            let [a, b, c] = weights.map(|(u, v)| H::Varying::mix([p, q, r], u, v));
+            let ordered = if triangle.flipped { [&a, &c, &b] } else { [&a, &b, &c] };
+            Fill { triangle: &triangle, corners: ordered, provoking: p }
+                .draw(frame, state, self.shader, assembly.area);
+        }
+    }
+}

@@ -1,0 +1,113 @@
+use super::fill::{Access, Fill};
+use super::{Cull, Winding};
+use crate::color::Format;
+use crate::frame::{Frame, Supplies};
+use crate::raster::{ScreenVertex, Traversal, Triangle};
+use crate::shade::{
+    Corner, Counter, Counting, DepthTest, Event, Shader, State, States, Stats,
+};
+
+/// Draws primitives that are in screen space already: below the vertex stage, with the same state,
+/// shaders and pixel loop.
+///
+/// Corners come with their varyings; a shader's `prepare` and `vertex` are not called. Coordinates
+/// may reach 4096 pixels from the picture's centre; primitives beyond are skipped and counted.
+///
+/// ```
+/// use microraster::raster::ScreenVertex;
+/// use microraster::{Frame, Gouraud, Rgb, Rgb565, ScreenPass, Size};
+///
+/// let mut pixels = [0u16; 16 * 8];
+/// let mut frame = Frame::<Rgb565>::new(&mut pixels, Size::new(16, 8))?;
+/// let corner = |x: i32, y: i32, color: Rgb| (ScreenVertex::from_bits(16 * x, 16 * y, 0), color.into());
+/// let triangle = [corner(0, 0, Rgb::RED), corner(16, 0, Rgb::GREEN), corner(0, 8, Rgb::BLUE)];
+/// ScreenPass::new().triangle(&mut frame, &Gouraud::colored(), &triangle);
+/// assert_ne!(pixels[0], 0);
+/// # Ok::<(), microraster::FrameError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ScreenPass<S = States> {
+    pub(super) cull: Cull,
+    pub(super) front: Winding,
+    pub(super) state: S,
+}
+
+impl ScreenPass {
+    /// A pass that draws all primitives, without depth.
+    pub fn new() -> Self {
+        Self::default()
+    }
+}
+
+impl<D, C, T> ScreenPass<States<D, C, T>> {
+    /// Tests depth, and writes it where the test says so.
+    pub fn depth<N: DepthTest>(self, depth: N) -> ScreenPass<States<N, C, T>> {
+        let Self { cull, front, state: States { counter, traversal, .. } } = self;
+        ScreenPass { cull, front, state: States { depth, counter, traversal } }
+    }
+
+    /// Counts triangles and pixels into `stats`, on top of what it holds.
+    pub fn count(self, stats: &mut Stats) -> ScreenPass<States<D, Counting<'_>, T>> {
+        let Self { cull, front, state: States { depth, traversal, .. } } = self;
+        ScreenPass { cull, front, state: States { depth, counter: Counting(stats), traversal } }
+    }
+
+    /// Finds pixels in another way; all ways give the same picture.
+    pub fn traversal<N: Traversal>(self, traversal: N) -> ScreenPass<States<D, C, N>> {
+        let Self { cull, front, state: States { depth, counter, .. } } = self;
+        ScreenPass { cull, front, state: States { depth, counter, traversal } }
+    }
+}
+
+impl<S> ScreenPass<S> {
+    /// Leaves out triangles by the side that they show.
+    #[must_use]
+    pub fn cull(mut self, cull: Cull) -> Self {
+        self.cull = cull;
+        self
+    }
+
+    /// Says which winding is the front.
+    #[must_use]
+    pub fn front_face(mut self, winding: Winding) -> Self {
+        self.front = winding;
+        self
+    }
+}
+
+impl<S: State> ScreenPass<S> {
+    /// Draws a triangle; flat shaders take the first corner's colour.
+    pub fn triangle<H, F, D>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        shader: &H,
+        corners: &[(ScreenVertex, Corner<H::Varying>); 3],
+    ) where
+        H: Shader,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let [(a, p), (b, q), (c, r)] = corners;
+        let (_, counter) = self.state.parts();
+        counter.event(Event::Triangle);
+        let vertices = [*a, *b, *c];
+        if !Triangle::in_range(&vertices, frame.picture()) {
+            counter.event(Event::Skipped);
+            return;
+        }
+        let Some(triangle) = Triangle::oriented(vertices) else {
+            counter.event(Event::Degenerate);
+            return;
+        };
+        let signed = if triangle.flipped { -1 } else { 1 };
+        if self.cull.drops(signed, self.front) {
+            counter.event(Event::Culled);
+            return;
+        }
+        counter.event(Event::Drawn);
+        let ordered = if triangle.flipped { [p, r, q] } else { [p, q, r] };
+        let area = frame.scissor();
+        Fill { triangle: &triangle, corners: ordered, provoking: p }
+            .draw(frame, &mut self.state, shader, area);
+    }
+}

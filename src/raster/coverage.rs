@@ -1,0 +1,44 @@
+use super::{Spans, Triangle};
+use crate::frame::Rect;
+
+/// A run of covered pixels in one row, in picture coordinates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Span {
+    /// The row.
+    pub y: i32,
+    /// The row's first covered pixel before any scissor: where stepping is anchored, so that no
+    /// scissor changes a bit. At most `left`.
+    pub first: i32,
+    /// The first pixel to draw.
+    pub left: i32,
+    /// The first pixel behind those to draw; above `left`.
+    pub right: i32,
+}
+
+/// A way of finding the pixels of a triangle; all ways find the same ones.
+pub trait Traversal: Copy {
+    /// One triangle being walked.
+    type Walk: SpanWalk;
+
+    /// Starts on a triangle, limited to `area`; `None` when no pixel can be covered.
+    fn walk(&self, triangle: &Triangle, area: Rect) -> Option<Self::Walk>;
+}
+
+/// A triangle being walked.
+pub trait SpanWalk {
+    /// The next span that is not empty.
+    fn next_span(&mut self) -> Option<Span>;
+}
+
+/// The shipped traversal: row by row between two edges. See [`Spans`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Scanline;
+
+impl Traversal for Scanline {
+    type Walk = Spans;
+
+    #[inline(always)]
+    fn walk(&self, triangle: &Triangle, area: Rect) -> Option<Spans> {
+        Spans::new(triangle, area)
+    }
+}

@@ -1,0 +1,29 @@
+//! The rasterizer: from screen-space primitives to covered pixels and interpolated attributes.
+//!
+//! Coordinates are 28.4 fixed point with y down; pixel (i, j) has its centre at
+//! (16 i + 8, 16 j + 8). A pixel belongs to a triangle if its centre lies inside, or on a top or
+//! a left edge: triangles that share an edge cover each pixel exactly once.
+//!
+//! ```text
+//!   E(P) = dx (Py - ay) - dy (Px - ax)    positive inside, for corners clockwise on the screen
+//!   covered  <=>  E >= 0 on top and left edges, E >= 1 on others, for all three edges
+//! ```
+//! Nothing here knows a shader, a format or a state: the code is compiled once. [`Spans`] solves
+//! the rule per row with exact integers; [`Gradients`] makes attribute planes.
+
+mod coverage;
+mod edge_walk;
+mod gradients;
+mod plane;
+mod screen_vertex;
+mod spans;
+mod triangle;
+
+pub use coverage::{Scanline, Span, SpanWalk, Traversal};
+pub(crate) use edge_walk::EdgeWalk;
+pub use gradients::Gradients;
+pub use plane::Plane;
+pub use screen_vertex::{ScreenVertex, GUARD, SUBPIXELS};
+pub use spans::Spans;
+pub(crate) use triangle::area_of_sides;
+pub use triangle::{twice_area, Triangle};

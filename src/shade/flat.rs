@@ -1,0 +1,65 @@
+use super::{Coloring, Corner, DrawContext, FlatColor, Lambert, Row, Shader, Solid, State, VertexColors};
+use crate::color::{Color, Format, Rgb};
+use crate::scene::Light;
+
+/// Flat shading: one colour a triangle, taken from its first vertex or from its face.
+///
+/// # Cost
+/// Only one of a triangle's corners is lit; without depth, pixels are filled by whole words.
+#[derive(Clone, Copy, Debug)]
+pub struct Flat<C>(C);
+
+impl<C: Coloring> Flat<C> {
+    /// Flat shading with colours from `coloring`.
+    pub const fn new(coloring: C) -> Self {
+        Self(coloring)
+    }
+}
+
+impl<A> Flat<Solid<A>> {
+    /// One colour for the whole mesh.
+    pub const fn solid(color: Rgb) -> Self {
+        Self(Solid::new(color))
+    }
+}
+
+impl Flat<VertexColors> {
+    /// The colours that the mesh holds.
+    pub const fn colored() -> Self {
+        Self(VertexColors)
+    }
+}
+
+impl<const N: usize> Flat<Lambert<N>> {
+    /// Lit by `lights`, white, with the ambient light of [`Lambert::new`].
+    pub fn lit(lights: &[Light; N]) -> Self {
+        Self(Lambert::new(lights))
+    }
+}
+
+impl<C: Coloring> Shader for Flat<C> {
+    type Vertex = C::Vertex;
+    type Varying = FlatColor;
+    type Prepared = C::Prepared;
+
+    #[inline(always)]
+    fn prepare(&self, draw: &DrawContext) -> C::Prepared {
+        self.0.prepare(draw)
+    }
+
+    #[inline(always)]
+    fn vertex(&self, prepared: &C::Prepared, vertex: &C::Vertex) -> Corner<FlatColor> {
+        self.0.color(prepared, vertex)
+    }
+
+    #[inline(always)]
+    fn fragment(&self, varying: &FlatColor) -> Option<Color> {
+        Some(varying.color())
+    }
+
+    #[inline(always)]
+    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, FlatColor>) {
+        let color = row.varying.color();
+        row.fill(color);
+    }
+}

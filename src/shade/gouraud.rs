@@ -1,0 +1,52 @@
+use super::{Coloring, Corner, DrawContext, Lambert, Shader, SmoothColor, VertexColors};
+use crate::color::Color;
+use crate::scene::Light;
+
+/// Gouraud shading: colours made at the vertices and interpolated between them.
+///
+/// Source: H. Gouraud, *Continuous Shading of Curved Surfaces*, IEEE Transactions on Computers
+/// C-20 (1971).
+#[derive(Clone, Copy, Debug)]
+pub struct Gouraud<C>(C);
+
+impl<C: Coloring> Gouraud<C> {
+    /// Gouraud shading with colours from `coloring`.
+    pub const fn new(coloring: C) -> Self {
+        Self(coloring)
+    }
+}
+
+impl Gouraud<VertexColors> {
+    /// The colours that the mesh holds.
+    pub const fn colored() -> Self {
+        Self(VertexColors)
+    }
+}
+
+impl<const N: usize> Gouraud<Lambert<N>> {
+    /// Lit by `lights`, white, with the ambient light of [`Lambert::new`].
+    pub fn lit(lights: &[Light; N]) -> Self {
+        Self(Lambert::new(lights))
+    }
+}
+
+impl<C: Coloring> Shader for Gouraud<C> {
+    type Vertex = C::Vertex;
+    type Varying = SmoothColor;
+    type Prepared = C::Prepared;
+
+    #[inline(always)]
+    fn prepare(&self, draw: &DrawContext) -> C::Prepared {
+        self.0.prepare(draw)
+    }
+
+    #[inline(always)]
+    fn vertex(&self, prepared: &C::Prepared, vertex: &C::Vertex) -> Corner<SmoothColor> {
+        self.0.color(prepared, vertex)
+    }
+
+    #[inline(always)]
+    fn fragment(&self, varying: &SmoothColor) -> Option<Color> {
+        Some(varying.color())
+    }
+}

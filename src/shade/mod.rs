@@ -1,0 +1,36 @@
+//! Shaders: what a triangle's pixels are made of.
+//!
+//! A [`Shader`] is two short methods: [`vertex`](Shader::vertex) makes varyings of what the mesh
+//! holds, [`fragment`](Shader::fragment) makes a colour of interpolated varyings. [`Flat`] and
+//! [`Gouraud`] are users of the same trait; both take their colours from a [`Coloring`].
+
+mod coloring;
+mod flat;
+mod flat_color;
+mod gouraud;
+mod lambert;
+mod row;
+mod scalar;
+mod shader;
+mod smooth_color;
+mod solid;
+mod state;
+mod varying;
+mod vertex_colors;
+
+pub use coloring::Coloring;
+pub use flat::Flat;
+pub use flat_color::FlatColor;
+pub use gouraud::Gouraud;
+pub use lambert::{Lambert, PreparedLambert};
+pub use row::Row;
+pub use scalar::Scalar;
+pub use shader::{DrawContext, Shader};
+pub use smooth_color::{SmoothColor, SmoothColorPlanes};
+pub use solid::Solid;
+pub use state::{
+    Always, AnyDepth, Counter, Counting, DepthTest, Equal, Event, Greater, GreaterEqual, Less, LessEqual,
+    NotEqual, Off, State, States, Stats, Uncounted,
+};
+pub use varying::{Corner, Varying};
+pub use vertex_colors::VertexColors;

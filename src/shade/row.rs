@@ -1,0 +1,73 @@
+use super::{Counter, DepthTest, State, Varying};
+use crate::color::{Color, Format};
+use crate::frame::DepthAccess;
+
+/// The depth cells of a row under state `S`.
+type Access<S> = <<S as State>::Depth as DepthTest>::Access;
+/// A row of depth under state `S`.
+pub(crate) type Cells<'a, S> = <Access<S> as DepthAccess>::Cells<'a>;
+
+/// A run of pixels in one row: where depth, state, format and the varying's step meet.
+pub struct Row<'a, S: State, F: Format, V: Varying> {
+    pub(crate) pixels: &'a mut [F::Raw],
+    pub(crate) cells: Cells<'a, S>,
+    /// Depth at the first pixel, 16.16, and its step.
+    pub(crate) z: u32,
+    pub(crate) z_step: u32,
+    pub(crate) varying: V,
+    pub(crate) step: V::Step,
+    pub(crate) depth: &'a S::Depth,
+    pub(crate) counter: &'a mut S::Counter,
+}
+
+impl<S: State, F: Format, V: Varying> core::fmt::Debug for Row<'_, S, F, V> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Row").field("pixels", &self.pixels.len()).finish_non_exhaustive()
+    }
+}
+
+impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
+    /// Calls `fragment` for each pixel that passes the depth test and stores what it gives;
+    /// `None` discards: neither colour nor depth is written.
+    ///
+    /// # Cost
+    /// 20 instructions a pixel on Cortex-M4 with depth and an interpolated colour; the closure is
+    /// inlined. Iteration stays inside because an iterator that is pulled costs 1.5 to 2 times as
+    /// much.
+    #[inline(always)]
+    pub fn each(self, mut fragment: impl FnMut(&V) -> Option<Color>) {
+        let Self { pixels, cells, mut z, z_step, mut varying, step, depth, counter } = self;
+        for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
+            let code = (z >> 16) as u16;
+            if depth.passes(code, <Access<S>>::read(&cell)) {
+                if let Some(color) = fragment(&varying) {
+                    if depth.writes() {
+                        <Access<S>>::write(cell, code);
+                    }
+                    *pixel = F::pack(color);
+                    counter.pixels(1);
+                }
+            }
+            z = z.wrapping_add(z_step);
+            varying.step(&step);
+            if <Access<S>>::TOUCHES {
+                // Unrolled by the compiler, this loop spills: 25 instead of 19 instructions on M4.
+                core::hint::black_box(());
+            }
+        }
+    }
+
+    /// Stores one colour in each pixel that passes the depth test.
+    ///
+    /// # Cost
+    /// Without depth, half an instruction a 16-bit pixel on Cortex-M4: whole words, eight a turn.
+    #[inline(always)]
+    pub fn fill(self, color: Color) {
+        if <Access<S>>::TOUCHES {
+            self.each(|_| Some(color));
+        } else {
+            self.counter.pixels(u32::try_from(self.pixels.len()).unwrap_or(u32::MAX));
+            F::fill(self.pixels, F::pack(color));
+        }
+    }
+}

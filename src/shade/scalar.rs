@@ -1,0 +1,51 @@
+use super::varying::mix_word;
+use super::Varying;
+use crate::raster::{Gradients, Plane};
+
+/// A 16-bit number over the triangle, 16.16 while it is interpolated: heights, weights, distances.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Scalar(pub(crate) u32);
+
+impl Scalar {
+    /// The number at this pixel, rounded to nearest.
+    #[inline(always)]
+    pub const fn get(self) -> u16 {
+        (self.0 >> 16) as u16
+    }
+}
+
+impl Varying for Scalar {
+    type Corner = u16;
+    type Planes = Plane;
+    type Step = u32;
+
+    const INTERPOLATED: bool = true;
+    const PIECE: i32 = 0;
+
+    #[inline(always)]
+    fn planes(gradients: &Gradients, [a, b, c]: [&u16; 3], _: &u16) -> Plane {
+        let mut plane = gradients.plane(*a, *b, *c);
+        plane.origin = plane.origin.wrapping_add(0x8000);
+        plane
+    }
+
+    #[inline(always)]
+    fn start(plane: &Plane, x: i32, y: i32) -> (Self, u32) {
+        (Self(plane.at(x, y)), plane.dx)
+    }
+
+    #[inline(always)]
+    fn step(&mut self, step: &u32) {
+        self.0 = self.0.wrapping_add(*step);
+    }
+
+    #[inline(always)]
+    fn advance(&mut self, step: &u32, pixels: i32) {
+        self.0 = self.0.wrapping_add(step.wrapping_mul(pixels as u32));
+    }
+
+    #[inline(always)]
+    fn mix([a, b, c]: [&u16; 3], u: i32, v: i32) -> u16 {
+        mix_word((*a).into(), (*b).into(), (*c).into(), u, v).clamp(0, 65535) as u16
+    }
+}

@@ -1,0 +1,67 @@
+use super::{Corner, Row, State, Varying};
+use crate::color::{Color, Format};
+use crate::frame::Size;
+use crate::math::Mat4;
+use crate::pipeline::Clip;
+
+/// What a shader may know once a draw.
+#[derive(Clone, Copy, Debug)]
+pub struct DrawContext {
+    /// From model space to world space.
+    pub model: Mat4,
+    /// From world space to eye space: the camera looks along -z.
+    pub view: Mat4,
+    /// From eye space to clip space.
+    pub projection: Mat4,
+    /// The viewport in pixels.
+    pub viewport: Size,
+}
+
+impl DrawContext {
+    /// From model space to clip space.
+    pub fn model_view_projection(&self) -> Mat4 {
+        self.projection * (self.view * self.model)
+    }
+}
+
+/// Makes pixels of triangles: two short methods, and more for those who want it.
+///
+/// Methods take `&self`: uniforms are fields. See `examples/shader.rs` for one of a user's kind.
+///
+/// # Cost
+/// [`prepare`](Self::prepare) runs once a draw, [`vertex`](Self::vertex) once a vertex of
+/// triangles that survive culling, [`fragment`](Self::fragment) once a visible pixel, inlined into
+/// the loop: a `Some` and the `&self` are free.
+pub trait Shader {
+    /// What the mesh holds for each vertex beside its position.
+    type Vertex;
+    /// What is interpolated: `()`, a building block, or pairs of them.
+    type Varying: Varying;
+    /// What is made once a draw: lights in model space, palettes, combined matrices.
+    type Prepared;
+
+    /// Whether [`position`](Self::position) gives the positions instead of the mesh.
+    const OWN_POSITIONS: bool = false;
+
+    /// Runs once a draw.
+    fn prepare(&self, draw: &DrawContext) -> Self::Prepared;
+
+    /// The position of a vertex in clip space, where [`OWN_POSITIONS`](Self::OWN_POSITIONS) says
+    /// so; `None` skips its triangles.
+    #[inline(always)]
+    fn position(&self, _prepared: &Self::Prepared, _vertex: &Self::Vertex) -> Option<Clip> {
+        None
+    }
+
+    /// The varyings of a vertex.
+    fn vertex(&self, prepared: &Self::Prepared, vertex: &Self::Vertex) -> Corner<Self::Varying>;
+
+    /// The colour of a pixel; `None` discards it: neither colour nor depth is written.
+    fn fragment(&self, varying: &Self::Varying) -> Option<Color>;
+
+    /// A run of pixels. Override to hoist work out of the loop, or to fill.
+    #[inline(always)]
+    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, Self::Varying>) {
+        row.each(|varying| self.fragment(varying));
+    }
+}

@@ -1,0 +1,140 @@
+use crate::frame::{DepthAccess, ReadWrite, Untouched};
+
+/// Which fragments are near enough to be drawn.
+///
+/// Names compare **distance**: [`Less`] passes what is nearer than what is stored. Codes run the
+/// other way (larger is nearer), which no user needs to know.
+pub trait DepthTest {
+    /// Whether depth is touched at all.
+    type Access: DepthAccess;
+
+    /// Whether a fragment with code `new` is drawn over one with code `stored`.
+    fn passes(&self, new: u16, stored: u16) -> bool;
+
+    /// Whether a fragment that is drawn leaves its depth.
+    fn writes(&self) -> bool;
+}
+
+/// No depth test and no depth written: the frame needs no depth buffer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Off;
+
+impl DepthTest for Off {
+    type Access = Untouched;
+
+    #[inline(always)]
+    fn passes(&self, _new: u16, _stored: u16) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn writes(&self) -> bool {
+        false
+    }
+}
+
+macro_rules! depth_tests {
+    ($($(#[$doc:meta])* $name:ident: $new:ident, $stored:ident => $passes:expr;)*) => {
+        $(
+            $(#[$doc])*
+            #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+            pub struct $name;
+
+            impl DepthTest for $name {
+                type Access = ReadWrite;
+
+                #[inline(always)]
+                fn passes(&self, $new: u16, $stored: u16) -> bool {
+                    $passes
+                }
+
+                #[inline(always)]
+                fn writes(&self) -> bool {
+                    true
+                }
+            }
+        )*
+
+        /// Any depth test, chosen when the program runs: for host tools, which would otherwise
+        /// instantiate every combination. Needs a frame with depth even when it is off.
+        #[non_exhaustive]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum AnyDepth {
+            /// As [`Off`](struct@Off).
+            Off,
+            $(
+                $(#[$doc])*
+                $name,
+            )*
+        }
+
+        impl DepthTest for AnyDepth {
+            type Access = ReadWrite;
+
+            #[inline(always)]
+            fn passes(&self, new: u16, stored: u16) -> bool {
+                match self {
+                    Self::Off => true,
+                    $(Self::$name => $name.passes(new, stored),)*
+                }
+            }
+
+            #[inline(always)]
+            fn writes(&self) -> bool {
+                !matches!(self, Self::Off)
+            }
+        }
+    };
+}
+
+depth_tests! {
+    /// Draws what is nearer than what is stored.
+    Less: new, stored => new > stored;
+    /// Draws what is nearer, and what is as near.
+    LessEqual: new, stored => new >= stored;
+    /// Draws what is as near as what is stored.
+    Equal: new, stored => new == stored;
+    /// Draws what is farther.
+    Greater: new, stored => new < stored;
+    /// Draws what is farther, and what is as near.
+    GreaterEqual: new, stored => new <= stored;
+    /// Draws what is nearer or farther.
+    NotEqual: new, stored => new != stored;
+    /// Draws all, and writes depth.
+    Always: _new, _stored => true;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_compare_distance_and_larger_codes_are_nearer() {
+        assert!(Less.passes(2, 1) && !Less.passes(1, 1) && !Less.passes(1, 2), "less");
+        assert!(LessEqual.passes(1, 1) && !LessEqual.passes(1, 2), "less or equal");
+        assert!(Greater.passes(1, 2) && !Greater.passes(2, 2), "greater");
+        assert!(GreaterEqual.passes(2, 2) && !GreaterEqual.passes(3, 2), "greater or equal");
+        assert!(Equal.passes(5, 5) && !Equal.passes(5, 4), "equal");
+        assert!(NotEqual.passes(5, 4) && !NotEqual.passes(5, 5), "not equal");
+        assert!(Always.passes(0, 65535) && Always.writes(), "always");
+    }
+
+    #[test]
+    fn the_runtime_test_agrees_with_the_types() {
+        for (new, stored) in [(0, 0), (0, 1), (1, 0), (65535, 65534), (65534, 65535), (7, 7)] {
+            let pairs = [
+                (AnyDepth::Off, Off.passes(new, stored)),
+                (AnyDepth::Less, Less.passes(new, stored)),
+                (AnyDepth::LessEqual, LessEqual.passes(new, stored)),
+                (AnyDepth::Equal, Equal.passes(new, stored)),
+                (AnyDepth::Greater, Greater.passes(new, stored)),
+                (AnyDepth::GreaterEqual, GreaterEqual.passes(new, stored)),
+                (AnyDepth::NotEqual, NotEqual.passes(new, stored)),
+                (AnyDepth::Always, Always.passes(new, stored)),
+            ];
+            for (any, typed) in pairs {
+                assert_eq!(any.passes(new, stored), typed, "{any:?} of {new}, {stored}");
+            }
+        }
+    }
+}

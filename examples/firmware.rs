@@ -7,7 +7,10 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
-#[allow(dead_code, reason = "the host asks the scenes more than the board does")]
+#[allow(
+    dead_code,
+    reason = "the host asks the scenes more than the board does"
+)]
 mod scenes;
 
 #[cfg(not(target_os = "none"))]
@@ -65,9 +68,17 @@ mod firmware {
             .split(' ')
             .find_map(|word| word.strip_prefix("frames=")?.parse().ok())
             .unwrap_or(u32::MAX);
-        let mut stage = Stage { color: COLOR.take()?, depth: DEPTH.take()?, bunny: bunny() };
+        let mut stage = Stage {
+            color: COLOR.take()?,
+            depth: DEPTH.take()?,
+            bunny: bunny(),
+        };
         let empty = meter::instructions(|| ()).0;
-        let mut probe = Meter { empty, instructions: 0, stack: 0 };
+        let mut probe = Meter {
+            empty,
+            instructions: 0,
+            stack: 0,
+        };
         for scene in scenes::<Meter>() {
             if !words.split(' ').any(|word| word == scene.name) {
                 continue;

@@ -13,13 +13,19 @@ pub(crate) struct Buffer<T> {
 
 // SAFETY: `take` lends the content once. The firmware has one thread and no interrupt handler,
 // so that a load and a store are as good as a swap, which Armv6-M lacks.
-#[allow(unsafe_code, reason = "a static must be Sync; the flag keeps the loan unique")]
+#[allow(
+    unsafe_code,
+    reason = "a static must be Sync; the flag keeps the loan unique"
+)]
 unsafe impl<T: Send> Sync for Buffer<T> {}
 
 impl<T> Buffer<T> {
     /// Nobody has it yet.
     pub(crate) const fn new(content: T) -> Self {
-        Self { content: UnsafeCell::new(content), taken: AtomicBool::new(false) }
+        Self {
+            content: UnsafeCell::new(content),
+            taken: AtomicBool::new(false),
+        }
     }
 
     /// The content, for the first who asks.

@@ -4,7 +4,13 @@ use super::{Facts, Group, Probe, Scene, Stage};
 
 /// The list.
 pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 1] {
-    [Scene { name: "ramp", group: Group::Golden, frames: 2, bunny: false, draw: ramp::<P> }]
+    [Scene {
+        name: "ramp",
+        group: Group::Golden,
+        frames: 2,
+        bunny: false,
+        draw: ramp::<P>,
+    }]
 }
 
 /// 64 words that rise from the frame's number.
@@ -20,5 +26,8 @@ fn ramp<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
     if P::COUNTING {
         probe.pixels(color.len() as u64);
     }
-    Facts { bytes: color.len() * 4, triangles: 1 }
+    Facts {
+        bytes: color.len() * 4,
+        triangles: 1,
+    }
 }

@@ -69,7 +69,5 @@ pub(crate) struct Scene<P> {
 
 /// All scenes.
 pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
-    standard::scenes()
-        .into_iter()
-        .chain(golden::scenes())
+    standard::scenes().into_iter().chain(golden::scenes())
 }

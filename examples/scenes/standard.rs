@@ -16,7 +16,10 @@ pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 2] {
     };
     [
         scene("clear", false, clear::<P>),
-        Scene { frames: 16, ..scene("bunny-dots", true, bunny_dots::<P>) },
+        Scene {
+            frames: 16,
+            ..scene("bunny-dots", true, bunny_dots::<P>)
+        },
     ]
 }
 
@@ -31,14 +34,20 @@ fn clear<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
     if P::COUNTING {
         probe.pixels(ROOM as u64);
     }
-    Facts { bytes: WORDS * 4, triangles: 0 }
+    Facts {
+        bytes: WORDS * 4,
+        triangles: 0,
+    }
 }
 
 /// One word for each vertex of the bunny.
 fn bunny_dots<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
     stage.color.fill(0);
     let Some(model) = stage.bunny else {
-        return Facts { bytes: 0, triangles: 0 };
+        return Facts {
+            bytes: 0,
+            triangles: 0,
+        };
     };
     let color = stage.color.get_mut(..WORDS).unwrap_or_default();
     let mut written = 0;

@@ -119,13 +119,17 @@ impl Elf {
             .sum()
     }
 
-    /// Bytes of RAM, without the stack: all that is written at run time.
+    /// Bytes of RAM: all that is written at run time. Sections that only set room aside for the
+    /// stack or a heap are no use of it.
     pub(crate) fn ram(&self) -> u32 {
+        let room = |section: &&Section| [".stack", ".heap"].contains(&section.name.as_str());
         let used = self
             .sections
             .iter()
             .filter(|section| section.writable || !section.stored);
-        used.map(|section| section.size).sum()
+        used.filter(|section| !room(section))
+            .map(|section| section.size)
+            .sum()
     }
 
     /// A symbol that only a heap needs, if one is linked.

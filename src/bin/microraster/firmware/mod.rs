@@ -59,6 +59,9 @@ pub(crate) struct Arguments {
     /// Print where the instructions of one scene go, by function and by address.
     #[arg(long, value_name = "SCENE", conflicts_with_all = ["scenes", "sizes", "library"])]
     profile: Option<String>,
+    /// Rows of each of the profile's tables.
+    #[arg(long, value_name = "N", default_value_t = 60, requires = "profile")]
+    rows: u32,
     /// Weigh the size proofs instead: flash by kind of code.
     #[arg(long, conflicts_with_all = ["scenes", "library"])]
     sizes: bool,
@@ -104,7 +107,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     if arguments.profile.is_some() {
         return boards
             .iter()
-            .try_for_each(|board| profile::print(&house, board, &words));
+            .try_for_each(|board| profile::print(&house, board, &words, arguments.rows));
     }
 
     let expected: Vec<_> = scenes

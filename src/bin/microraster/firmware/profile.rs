@@ -8,18 +8,21 @@ use std::process::Command;
 
 /// The plugin's source: it runs inside the emulator, so it is no module of this program.
 const SOURCE: &str = "examples/board/plugin/count.rs";
-/// Rows that are printed of each table.
-const ROWS: u32 = 40;
 
-/// Prints the profile of the measured part of one scene on one board.
+/// Prints the profile of the measured part of one scene on one board, as many rows of each table.
 ///
 /// # Errors
 /// The plugin, the firmware or the run failed.
-pub(crate) fn print(house: &House, board: &Board, words: &[String]) -> Result<(), String> {
+pub(crate) fn print(
+    house: &House,
+    board: &Board,
+    words: &[String],
+    rows: u32,
+) -> Result<(), String> {
     let plugin = build(house)?;
     let elf = house.example("firmware", board)?;
     let folder = house.firmware()?;
-    let argument = format!("{},out=profile.txt,top={ROWS}", plugin.display());
+    let argument = format!("{},out=profile.txt,top={rows}", plugin.display());
     let out = folder.join("profile.txt");
     emulate::run(board, &elf, &folder, words, Some(&argument))?;
     let report =

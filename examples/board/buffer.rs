@@ -29,6 +29,10 @@ impl<T> Buffer<T> {
     }
 
     /// The content, for the first who asks.
+    #[allow(
+        clippy::mut_from_ref,
+        reason = "the flag sees to it that there is one loan only"
+    )]
     pub(crate) fn take(&'static self) -> Option<&'static mut T> {
         if self.taken.load(Ordering::Relaxed) {
             return None;

@@ -82,7 +82,20 @@ fn text(pointer: *const c_char) -> String {
         return "?".into();
     }
     // SAFETY: QEMU hands out zero-terminated text.
-    unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned()
+    unsafe { CStr::from_ptr(pointer) }
+        .to_string_lossy()
+        .into_owned()
+}
+
+/// The instruction without its code: QEMU's own disassembler for RISC-V begins a line with four
+/// or eight hexadecimal digits and a gap.
+fn assembly(line: &str) -> &str {
+    match line.split_once("    ") {
+        Some((code, rest)) if code.bytes().all(|byte| byte.is_ascii_hexdigit()) => {
+            rest.trim_start()
+        }
+        _ => line,
+    }
 }
 
 /// Each second reading of the clock ends a measured part.
@@ -137,19 +150,39 @@ extern "C" fn finished(_id: u64, _data: *mut c_void) {
     for place in state.places.values() {
         total += place.count;
         *functions.entry(&place.function).or_insert(0) += place.count;
-        let mnemonic = place.text.split_whitespace().next().unwrap_or("?");
+        let mnemonic = assembly(&place.text)
+            .split_whitespace()
+            .next()
+            .unwrap_or("?");
         *mnemonics.entry(mnemonic).or_insert(0) += place.count;
     }
     let mut report = format!("instructions {total}\n");
     for (title, table) in [
-        ("function", functions.into_iter().map(|(n, c)| (c, n.clone())).collect::<Vec<_>>()),
-        ("mnemonic", mnemonics.into_iter().map(|(n, c)| (c, n.to_string())).collect()),
+        (
+            "function",
+            functions
+                .into_iter()
+                .map(|(n, c)| (c, n.clone()))
+                .collect::<Vec<_>>(),
+        ),
+        (
+            "mnemonic",
+            mnemonics
+                .into_iter()
+                .map(|(n, c)| (c, n.to_string()))
+                .collect(),
+        ),
         (
             "address",
             state
                 .places
                 .iter()
-                .map(|(a, p)| (p.count, format!("{a:08x} {:40} {}", p.text, p.function)))
+                .map(|(a, p)| {
+                    (
+                        p.count,
+                        format!("{a:08x} {:40} {}", assembly(&p.text), p.function),
+                    )
+                })
                 .collect(),
         ),
     ] {
@@ -163,7 +196,9 @@ extern "C" fn finished(_id: u64, _data: *mut c_void) {
         }
     }
     let problem = match &state.out {
-        Some(path) => std::fs::write(path, report).err().map(|why| format!("{path}: {why}\n")),
+        Some(path) => std::fs::write(path, report)
+            .err()
+            .map(|why| format!("{path}: {why}\n")),
         None => Some(report),
     };
     if let Some(text) = problem.and_then(|text| CString::new(text).ok()) {
@@ -183,7 +218,10 @@ pub unsafe extern "C" fn qemu_plugin_install(
     count: c_int,
     arguments: *const *const c_char,
 ) -> c_int {
-    let mut new = State { top: 40, ..State::default() };
+    let mut new = State {
+        top: 40,
+        ..State::default()
+    };
     for index in 0..usize::try_from(count).unwrap_or(0) {
         match text(*arguments.add(index)).split_once('=') {
             Some(("out", path)) => new.out = Some(path.to_string()),

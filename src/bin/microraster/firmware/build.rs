@@ -1,0 +1,197 @@
+//! Builds for a bare target: with rustup's core library where the target is installed, else with
+//! a core library that Debian's compiler builds from its own source.
+
+use super::board::Board;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// The places that a build needs.
+#[derive(Debug)]
+pub(crate) struct House {
+    /// The folder of the package's `Cargo.toml`.
+    pub(crate) package: PathBuf,
+    /// Cargo's target folder.
+    pub(crate) target: PathBuf,
+}
+
+/// Where Debian keeps its compiler; rustup's may come first on the path.
+const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
+const DEBIAN_CARGO: &str = "/usr/bin/cargo";
+/// Names of the linker, the newest that the recipe was proven with first.
+const LINKERS: [&str; 2] = ["ld.lld-22", "ld.lld"];
+/// What of the caller's environment would change a nested build. RUSTFLAGS, for one, replaces the
+/// link arguments of `.cargo/config.toml`, and the firmware would come out empty.
+const FOREIGN: [&str; 8] = [
+    "RUSTFLAGS",
+    "CARGO_ENCODED_RUSTFLAGS",
+    "CARGO_BUILD_RUSTFLAGS",
+    "CARGO_BUILD_TARGET",
+    "CARGO_UNSTABLE_BUILD_STD",
+    "LD_LIBRARY_PATH",
+    "RUSTC_WRAPPER",
+    "RUSTC_WORKSPACE_WRAPPER",
+];
+
+impl House {
+    /// Finds the package: cargo names it when it runs this program.
+    ///
+    /// # Errors
+    /// This program was not started from a checkout.
+    pub(crate) fn find() -> Result<Self, String> {
+        let package = std::env::var_os("CARGO_MANIFEST_DIR")
+            .map_or_else(|| PathBuf::from("."), PathBuf::from);
+        if !package.join("examples/firmware.rs").is_file() || !package.join("memory.x").is_file() {
+            return Err(
+                "examples/firmware.rs and memory.x are not here: firmware is built from \
+                        the crate's repository; run `cargo firmware` inside a clone of it"
+                    .into(),
+            );
+        }
+        let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(
+            || package.join("target"),
+            |folder| package.join(PathBuf::from(folder)),
+        );
+        Ok(Self { package, target })
+    }
+
+    /// The folder for finished firmware and what it reads, made when missing.
+    ///
+    /// # Errors
+    /// The folder cannot be made.
+    pub(crate) fn firmware(&self) -> Result<PathBuf, String> {
+        let folder = self.target.join("firmware");
+        std::fs::create_dir_all(&folder)
+            .map_err(|why| format!("cannot make the folder {}: {why}", folder.display()))?;
+        Ok(folder)
+    }
+
+    /// Builds an example for a board and returns a copy of its ELF file that stays.
+    ///
+    /// # Errors
+    /// No compiler for the target, or the build failed.
+    pub(crate) fn example(&self, name: &str, board: &Board) -> Result<PathBuf, String> {
+        let mut arguments = vec!["--example", name];
+        arguments.push("--");
+        let symbols: Vec<_> = board
+            .symbols
+            .iter()
+            .map(|symbol| format!("link-arg=--defsym=__{symbol}"))
+            .collect();
+        for symbol in &symbols {
+            arguments.extend(["-C", symbol]);
+        }
+        let built = self
+            .cargo(board.target, &arguments)?
+            .join("examples")
+            .join(name);
+        let kept = self.firmware()?.join(format!("{name}-{}.elf", board.name));
+        std::fs::copy(&built, &kept)
+            .map_err(|why| format!("cannot copy {}: {why}", built.display()))?;
+        Ok(kept)
+    }
+
+    /// Builds the bare library for a target.
+    ///
+    /// # Errors
+    /// No compiler for the target, or the build failed.
+    pub(crate) fn library(&self, target: &str) -> Result<(), String> {
+        self.cargo(target, &["--lib", "--"]).map(|_| ())
+    }
+
+    /// Runs `cargo rustc --release` with `arguments`, which contain a `--`; returns the folder
+    /// that the result lies in.
+    fn cargo(&self, target: &str, arguments: &[&str]) -> Result<PathBuf, String> {
+        let toolchain = Toolchain::find(target)?;
+        let mut folder = self.target.clone();
+        let mut command = match &toolchain {
+            Toolchain::Rustup => Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into())),
+            Toolchain::Debian { .. } => {
+                folder = folder.join("debian");
+                Command::new(DEBIAN_CARGO)
+            }
+        };
+        for name in FOREIGN {
+            command.env_remove(name);
+        }
+        command.args([
+            "rustc",
+            "--locked",
+            "--release",
+            "--quiet",
+            "--target",
+            target,
+        ]);
+        command.args(arguments);
+        if let Toolchain::Debian { linker } = &toolchain {
+            // The compiler is a release; building core needs its unstable half.
+            command
+                .env("RUSTC", DEBIAN_RUSTC)
+                .env("RUSTC_BOOTSTRAP", "1")
+                .env("CARGO_UNSTABLE_BUILD_STD", "core")
+                .arg("-C")
+                .arg(format!("linker={linker}"));
+        }
+        let status = command
+            .env("CARGO_TARGET_DIR", &folder)
+            .current_dir(&self.package)
+            .stdin(Stdio::null())
+            .status()
+            .map_err(|why| format!("cannot start cargo: {why}"))?;
+        if status.success() {
+            Ok(folder.join(target).join("release"))
+        } else {
+            Err(format!(
+                "the build for {target} failed; cargo says why above"
+            ))
+        }
+    }
+}
+
+/// Which compiler serves a target.
+#[derive(Debug)]
+enum Toolchain {
+    /// The compiler on the path has the target's core library.
+    Rustup,
+    /// Debian's compiler builds the core library.
+    Debian {
+        /// The linker's name.
+        linker: &'static str,
+    },
+}
+
+impl Toolchain {
+    /// The first that is there.
+    fn find(target: &str) -> Result<Self, String> {
+        let sysroot = text_of("rustc", &["--print", "sysroot"]).unwrap_or_default();
+        let has = |root: &str, path: &str| Path::new(root.trim()).join(path).exists();
+        if !sysroot.is_empty() && has(&sysroot, &format!("lib/rustlib/{target}")) {
+            return Ok(Self::Rustup);
+        }
+        let debian = text_of(DEBIAN_RUSTC, &["--print", "sysroot"]).unwrap_or_default();
+        let source = "lib/rustlib/src/rust/library/core";
+        let linker = LINKERS
+            .into_iter()
+            .find(|name| text_of(name, &["--version"]).is_some());
+        match linker {
+            Some(linker) if Path::new(DEBIAN_CARGO).exists() && has(&debian, source) => {
+                Ok(Self::Debian { linker })
+            }
+            _ => Err(format!(
+                "no compiler here can build for {target}. With rustup, run `rustup target add \
+                 {target}`; on Debian, `apt-get install cargo-web rustc-web rust-web-src lld-22`"
+            )),
+        }
+    }
+}
+
+/// What a program prints; `None` when it cannot be started or fails.
+fn text_of(program: &str, arguments: &[&str]) -> Option<String> {
+    let mut command = Command::new(program);
+    if program == DEBIAN_RUSTC {
+        // The path that cargo sets up for rustup's compiler misleads Debian's.
+        command.env_remove("LD_LIBRARY_PATH");
+    }
+    let output = command.args(arguments).stdin(Stdio::null()).output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then_some(text)
+}

@@ -1,0 +1,214 @@
+//! `microraster firmware`: draws the scenes on boards under QEMU and compares every frame with
+//! the host's, bit for bit.
+
+mod board;
+mod build;
+mod bunny;
+mod elf;
+mod emulate;
+mod facts;
+mod lines;
+mod profile;
+#[path = "../../../../examples/scenes/mod.rs"]
+mod scenes;
+mod sizes;
+
+use board::Board;
+use build::House;
+use elf::Elf;
+use facts::{Counter, Frame, Line};
+use scenes::{Model, Scene};
+
+/// Targets for which the bare library is built by `--library`.
+const LIBRARY_TARGETS: [&str; 4] = [
+    "thumbv6m-none-eabi",
+    "thumbv7em-none-eabihf",
+    "riscv32imc-unknown-none-elf",
+    "wasm32-unknown-unknown",
+];
+
+/// What to draw, where, and what to print of it.
+///
+/// Each scene becomes a line of facts; instructions, pixels and triangles are the means of its
+/// frames. Then comes one line a board: flash and RAM of the whole firmware with its buffers of
+/// 320x240, and the deepest stack of what was measured.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// Boards, of m0, m3, m4, m7, m33, m55 and rv32.
+    #[arg(
+        long,
+        value_delimiter = ',',
+        default_value = "m4,m0",
+        value_name = "BOARD"
+    )]
+    boards: Vec<String>,
+    /// Scenes by name, or the lists `golden`, `standard` and `all`.
+    #[arg(
+        long,
+        value_delimiter = ',',
+        default_value = "all",
+        value_name = "SCENE"
+    )]
+    scenes: Vec<String>,
+    /// Draw only the first frames of each scene.
+    #[arg(long, value_name = "N")]
+    frames: Option<u32>,
+    /// Memory by section; with --sizes, every symbol.
+    #[arg(short, long)]
+    verbose: bool,
+    /// Print where the instructions of one scene go, by function and by address.
+    #[arg(long, value_name = "SCENE", conflicts_with_all = ["scenes", "sizes", "library"])]
+    profile: Option<String>,
+    /// Rows of each of the profile's tables.
+    #[arg(long, value_name = "N", default_value_t = 60, requires = "profile")]
+    rows: u32,
+    /// Weigh the size proofs instead: flash by kind of code.
+    #[arg(long, conflicts_with_all = ["scenes", "library"])]
+    sizes: bool,
+    /// Build the bare library, without alloc, for Armv6-M, Armv7E-M, RISC-V and wasm instead.
+    #[arg(long, conflicts_with_all = ["scenes", "boards"])]
+    library: bool,
+}
+
+/// Does what was asked.
+///
+/// # Errors
+/// What is missing, what failed, or that a board drew another picture than the host.
+pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
+    let house = House::find()?;
+    let boards: Vec<_> = arguments
+        .boards
+        .iter()
+        .map(|name| board::find(name))
+        .collect::<Result<_, _>>()?;
+    if arguments.library {
+        return LIBRARY_TARGETS.iter().try_for_each(|target| {
+            house.library(target)?;
+            println!("target={target} library=built");
+            Ok(())
+        });
+    }
+    if arguments.sizes {
+        return sizes::print(&house, &boards, arguments.verbose);
+    }
+
+    let names = arguments
+        .profile
+        .as_ref()
+        .map_or(arguments.scenes.as_slice(), std::slice::from_ref);
+    let mut scenes = facts::asked(names)?;
+    let mesh = mesh(&house, &mut scenes)?;
+    let bunny = mesh
+        .as_ref()
+        .and_then(|words| Model::view(bytemuck::cast_slice(words)));
+    let limit = arguments.frames.unwrap_or(u32::MAX);
+    let mut words: Vec<_> = scenes.iter().map(|scene| scene.name.to_string()).collect();
+    words.push(format!("frames={limit}"));
+    if arguments.profile.is_some() {
+        return boards
+            .iter()
+            .try_for_each(|board| profile::print(&house, board, &words, arguments.rows));
+    }
+
+    let expected: Vec<_> = scenes
+        .iter()
+        .map(|scene| facts::draw(scene, bunny, limit))
+        .collect();
+    let mut wrong = 0;
+    for board in boards {
+        wrong += compare(&house, board, &scenes, &expected, &words, arguments.verbose)?;
+    }
+    if wrong == 0 {
+        Ok(())
+    } else {
+        Err(format!(
+            "{wrong} scenes differ between a board and the host"
+        ))
+    }
+}
+
+/// Writes the bunny's mesh file for the firmware and gives its words. Where there is no bunny,
+/// the scenes that need it are taken out, loudly.
+fn mesh(house: &House, scenes: &mut Vec<Scene<Counter>>) -> Result<Option<Vec<u32>>, String> {
+    let file = house.firmware()?.join(scenes::model::FILE);
+    let why = match bunny::find(&house.package) {
+        Ok(model) => {
+            let words = bunny::convert(&model)?;
+            std::fs::write(&file, bytemuck::cast_slice::<u32, u8>(&words))
+                .map_err(|why| format!("{}: {why}", file.display()))?;
+            return Ok(Some(words));
+        }
+        Err(why) => why,
+    };
+    // A mesh that an earlier run left would be drawn by the board alone.
+    if file.exists() {
+        std::fs::remove_file(&file).map_err(|why| format!("{}: {why}", file.display()))?;
+    }
+    let before = scenes.len();
+    for scene in scenes.iter().filter(|scene| scene.bunny) {
+        println!("scene={} skipped: {why}", scene.name);
+    }
+    scenes.retain(|scene| !scene.bunny);
+    if scenes.len() < before && std::env::var_os("MICRORASTER_REQUIRE_SHARED").is_some() {
+        return Err("scenes were skipped, and MICRORASTER_REQUIRE_SHARED forbids that".into());
+    }
+    Ok(None)
+}
+
+/// Runs the scenes on a board, prints its lines and returns how many scenes differ.
+fn compare(
+    house: &House,
+    board: &'static Board,
+    scenes: &[Scene<Counter>],
+    expected: &[Vec<Frame>],
+    words: &[String],
+    verbose: bool,
+) -> Result<usize, String> {
+    let file = house.example("firmware", board)?;
+    let bytes = std::fs::read(&file).map_err(|why| format!("{}: {why}", file.display()))?;
+    let elf = Elf::read(&bytes).map_err(|why| format!("{}: {why}", file.display()))?;
+    if let Some(name) = elf.allocator() {
+        return Err(format!(
+            "the firmware of {} links a heap: {name}",
+            board.name
+        ));
+    }
+    let printed = emulate::run(board, &file, &house.firmware()?, words, None)?;
+    let report = lines::Report::read(&printed)?;
+
+    let mut wrong = 0;
+    for (scene, expected) in scenes.iter().zip(expected) {
+        let own = report
+            .frames
+            .iter()
+            .filter(|frame| frame.scene == scene.name);
+        let drawn: Vec<_> = own.cloned().collect();
+        let line = Line::compare(board.name, scene.name, &drawn, expected);
+        println!("{line}");
+        if let Some(how) = &line.differs {
+            eprintln!("board={} scene={} {how}", board.name, scene.name);
+            wrong += 1;
+        }
+    }
+    println!(
+        "board={} flash={} ram={} stack={}",
+        board.name,
+        elf.flash(),
+        elf.ram(),
+        report.stack
+    );
+    if verbose {
+        for section in elf.sections.iter().filter(|section| section.size > 0) {
+            let memory = match (section.stored, section.writable) {
+                (true, true) => "flash+ram",
+                (true, false) => "flash",
+                (false, _) => "ram",
+            };
+            println!(
+                "board={} section={} {memory}={}",
+                board.name, section.name, section.size
+            );
+        }
+    }
+    Ok(wrong)
+}

@@ -4,14 +4,19 @@
 //! from the same source.
 
 pub(crate) mod golden;
+pub(crate) mod grid;
 pub(crate) mod hash;
 pub(crate) mod model;
 pub(crate) mod standard;
 
+use microraster::{Rgb16, VertexCache};
 pub(crate) use model::Model;
 
 /// Words of colour and of depth that every [`Stage`] holds.
 pub(crate) const ROOM: usize = 320 * 240;
+
+/// Vertices that the [`Stage`]'s cache holds.
+pub(crate) const CACHED: usize = 2048;
 
 /// What a scene draws into.
 #[derive(Debug)]
@@ -20,6 +25,8 @@ pub(crate) struct Stage<'a> {
     pub(crate) color: &'a mut [u32],
     /// At least [`ROOM`] depths.
     pub(crate) depth: &'a mut [u16],
+    /// Where shared vertices are kept: enough for every vertex of the bunny.
+    pub(crate) cache: &'a mut VertexCache<Rgb16, CACHED>,
     /// The bunny, whose licence keeps it out of this repository; `None` where it is missing.
     pub(crate) bunny: Option<Model<'a>>,
 }

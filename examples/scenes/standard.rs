@@ -1,71 +1,244 @@
 //! The measured scenes: 320x240, RGB565, clears excluded.
+//!
+//! Field of view 45 degrees, aspect 4/3, near 0.5. Meshes are centred on their box, scaled to a
+//! box height of 2, at z = -3.0178, and turn by 22.5 degrees a frame; light falls along
+//! (-0.3, -0.6, -1), 0.2 ambient and 0.8 diffuse.
 
-use super::{Facts, Group, Probe, Scene, Stage, ROOM};
+use microraster::math::{Angle, Mat4, Vec3};
+use microraster::raster::ScreenVertex;
+use microraster::{
+    Camera, Cull, DepthBuffer, Flat, Frame, FrameError, Gouraud, Indices, Lambert, Less, Light,
+    Mesh, Normal, Pass, Rgb, Rgb565, ScreenPass, Shader, Size, Stats,
+};
 
-/// Half as many words as pixels: two RGB565 pixels a word.
-const WORDS: usize = ROOM / 2;
+use super::{grid, Facts, Group, Probe, Scene, Stage, ROOM};
+
+const SIZE: Size = Size::new(320, 240);
+/// Bytes of an RGB565 picture.
+const BYTES: usize = ROOM * 2;
 
 /// The list.
-pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 2] {
-    let scene = |name, bunny, draw| Scene {
+pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 8] {
+    let scene = |name, frames, bunny, draw| Scene {
         name,
         group: Group::Standard,
-        frames: 1,
+        frames,
         bunny,
         draw,
     };
     [
-        scene("clear", false, clear::<P>),
-        Scene {
-            frames: 16,
-            ..scene("bunny-dots", true, bunny_dots::<P>)
-        },
+        scene("clear", 1, false, clear::<P>),
+        scene("F1", 1, false, f1::<P>),
+        scene("F2", 1, false, f2::<P>),
+        scene("F3", 1, false, f3::<P>),
+        scene("S1", 1, false, s1::<P>),
+        scene("S1-raster", 1, false, s1_raster::<P>),
+        scene("M1-bunny", 16, true, m1_bunny::<P>),
+        scene("M2-bunny", 16, true, m2_bunny::<P>),
     ]
+}
+
+/// A frame with depth over the stage's buffers, cleared.
+fn frame<'a>(
+    color: &'a mut [u32],
+    depth: &'a mut [u16],
+) -> Result<Frame<'a, Rgb565, DepthBuffer<'a>>, FrameError> {
+    let mut frame =
+        Frame::new(bytemuck::cast_slice_mut(color), SIZE)?.with_depth(depth)?;
+    frame.clear(Rgb::BLACK);
+    Ok(frame)
+}
+
+/// What a frame of these scenes says.
+fn facts(triangles: u32) -> Facts {
+    Facts { bytes: BYTES, triangles }
+}
+
+fn camera() -> Camera {
+    Camera::perspective(Angle::from_degrees(45.0), 0.5)
 }
 
 /// Clearing colour and depth, measured.
 fn clear<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
-    let color = stage.color.get_mut(..WORDS).unwrap_or_default();
-    let depth = &mut *stage.depth;
-    probe.measure(|| {
-        color.fill(0x1234_5678);
-        depth.fill(0);
-    });
-    if P::COUNTING {
+    if let Ok(mut frame) = frame(stage.color, stage.depth) {
+        probe.measure(|| frame.clear(Rgb::new(32, 64, 96)));
         probe.pixels(ROOM as u64);
     }
-    Facts {
-        bytes: WORDS * 4,
-        triangles: 0,
+    facts(0)
+}
+
+static QUAD: [[i16; 3]; 4] = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]];
+static QUAD_COLORS: [Rgb; 4] = [Rgb::RED, Rgb::GREEN, Rgb::BLUE, Rgb::WHITE];
+static QUAD_INDICES: [u16; 6] = [0, 1, 2, 0, 2, 3];
+
+/// A quad 0.2 % larger than the screen, at z = -2.
+fn quad() -> Mesh<'static, Rgb> {
+    // Half the height of the screen at distance 2: 2 tan(22.5 degrees).
+    let half = 2.0 * 0.414_213_56 * 1.002;
+    Mesh::new(&QUAD, &QUAD_COLORS)
+        .indexed(Indices::U16(&QUAD_INDICES))
+        .placed(Vec3::new(half * 4.0 / 3.0, half, 1.0), Vec3::new(0.0, 0.0, -2.0))
+}
+
+/// Runs a measured draw; counted instead where the probe asks for it.
+macro_rules! measured {
+    ($probe:ident, $pass:expr, |$with:ident| $draw:expr) => {
+        if P::COUNTING {
+            let mut stats = Stats::default();
+            {
+                let mut $with = $pass.count(&mut stats);
+                $draw;
+            }
+            $probe.pixels(stats.pixels.into());
+        } else {
+            let mut $with = $pass;
+            $probe.measure(|| $draw);
+        }
+    };
+}
+
+/// Fill without depth.
+fn f1<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    if let Ok(mut frame) = frame(stage.color, stage.depth) {
+        let (camera, quad) = (camera(), quad());
+        let shader = Flat::solid(Rgb::new(255, 128, 0));
+        measured!(probe, Pass::new(&camera), |pass| pass
+            .draw(&mut frame, &Mat4::IDENTITY, &quad, &shader));
+    }
+    facts(2)
+}
+
+/// Fill with depth.
+fn f2<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    if let Ok(mut frame) = frame(stage.color, stage.depth) {
+        let (camera, quad) = (camera(), quad());
+        let shader = Flat::solid(Rgb::new(255, 128, 0));
+        measured!(probe, Pass::new(&camera).depth(Less), |pass| pass
+            .draw(&mut frame, &Mat4::IDENTITY, &quad, &shader));
+    }
+    facts(2)
+}
+
+/// Gouraud with depth.
+fn f3<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    if let Ok(mut frame) = frame(stage.color, stage.depth) {
+        let (camera, quad) = (camera(), quad());
+        let shader = Gouraud::colored();
+        measured!(probe, Pass::new(&camera).depth(Less), |pass| pass
+            .draw(&mut frame, &Mat4::IDENTITY, &quad, &shader));
+    }
+    facts(2)
+}
+
+/// A grid of 160x120 quads of 2x2 pixels, each triangle in its own colour, through the API.
+fn s1<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    let Stage { color, depth, cache, .. } = stage;
+    if let Ok(mut frame) = frame(color, depth) {
+        let camera = camera();
+        let half = 2.0 * 0.414_213_56;
+        let mesh = Mesh::new(&grid::POSITIONS, &grid::COLORS)
+            .by_face()
+            .indexed(Indices::U16(&grid::INDICES))
+            .placed(
+                Vec3::new(half * 4.0 / 3.0, half, 1.0) * (1.0 / grid::REACH),
+                Vec3::new(0.0, 0.0, -2.0),
+            );
+        let shader = Flat::colored();
+        measured!(probe, Pass::new(&camera).depth(Less), |pass| pass.draw_cached(
+            &mut frame,
+            &Mat4::IDENTITY,
+            &mesh,
+            &shader,
+            cache
+        ));
+    }
+    facts(grid::TRIANGLES as u32)
+}
+
+/// The same grid from screen coordinates: the rasterizer alone.
+fn s1_raster<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    if let Ok(mut frame) = frame(stage.color, stage.depth) {
+        let shader = Flat::colored();
+        measured!(probe, ScreenPass::new().depth(Less), |pass| {
+            for row in 0..grid::ROWS as i32 {
+                for column in 0..grid::COLUMNS as i32 {
+                    let (x, y) = (column * 32, row * 32);
+                    let color = Rgb::new(column as u8, row as u8, 128).into();
+                    let corner =
+                        |dx: i32, dy: i32| (ScreenVertex::from_bits(x + dx, y + dy, 30_000), color);
+                    let [a, b, c, d] = [corner(0, 0), corner(32, 0), corner(32, 32), corner(0, 32)];
+                    pass.triangle(&mut frame, &shader, &[a, c, b]);
+                    pass.triangle(&mut frame, &shader, &[a, d, c]);
+                }
+            }
+        });
+    }
+    facts(grid::TRIANGLES as u32)
+}
+
+/// A lit mesh, centred at z = -3.0178 and turned.
+#[derive(Clone, Copy)]
+struct Turning<'a> {
+    mesh: Mesh<'a, Normal>,
+    frame: u32,
+}
+
+impl Turning<'_> {
+    fn draw<P, S>(&self, stage: &mut Stage<'_>, probe: &mut P, shader: &S) -> Facts
+    where
+        P: Probe,
+        S: Shader<Vertex = Normal>,
+        S::Varying: microraster::Varying<Corner = microraster::Rgb16>,
+    {
+        let Stage { color, depth, cache, .. } = stage;
+        if let Ok(mut frame) = frame(color, depth) {
+            let camera = camera();
+            let model = Mat4::translation(Vec3::new(0.0, 0.0, -3.0178))
+                * Mat4::rotation_y(Angle::from_degrees(22.5 * self.frame as f32));
+            measured!(probe, Pass::new(&camera).depth(Less).cull(Cull::Back), |pass| pass
+                .draw_cached(&mut frame, &model, &self.mesh, shader, cache));
+        }
+        facts(u32::try_from(self.mesh.triangles()).unwrap_or(u32::MAX))
     }
 }
 
-/// One word for each vertex of the bunny.
-fn bunny_dots<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
-    stage.color.fill(0);
-    let Some(model) = stage.bunny else {
-        return Facts {
-            bytes: 0,
-            triangles: 0,
-        };
-    };
-    let color = stage.color.get_mut(..WORDS).unwrap_or_default();
-    let mut written = 0;
-    probe.measure(|| {
-        for (position, normal) in model.positions.iter().zip(model.normals) {
-            let row = usize::from(position[1].cast_unsigned() >> 8) * 150;
-            let column = usize::from(position[0].cast_unsigned() >> 9) + frame as usize;
-            if let Some(word) = color.get_mut(row + column) {
-                *word = u32::from(normal[2].cast_unsigned());
-                written += 1;
-            }
+fn light() -> Lambert<1> {
+    let sun = Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::new(204, 204, 204));
+    Lambert::new(&[sun]).ambient(Rgb::new(51, 51, 51)).material(Rgb::new(230, 190, 140))
+}
+
+/// A mesh centred on its box and scaled to a box height of 2.
+fn fitted<'a>(
+    positions: &'a [[i16; 3]],
+    normals: &'a [Normal],
+    indices: &'a [u16],
+) -> Mesh<'a, Normal> {
+    let (mut low, mut high) = ([i16::MAX; 3], [i16::MIN; 3]);
+    for position in positions {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(position[axis]);
+            high[axis] = high[axis].max(position[axis]);
         }
-    });
-    if P::COUNTING {
-        probe.pixels(written);
     }
-    Facts {
-        bytes: WORDS * 4,
-        triangles: u32::try_from(model.indices.len() / 3).unwrap_or(u32::MAX),
-    }
+    let middle = |axis: usize| (f32::from(low[axis]) + f32::from(high[axis])) * 0.5;
+    let scale = 2.0 / (f32::from(high[1]) - f32::from(low[1]));
+    Mesh::new(positions, normals)
+        .indexed(Indices::U16(indices))
+        .placed(Vec3::new(scale, scale, scale), Vec3::new(middle(0), middle(1), middle(2)) * -scale)
+}
+
+fn bunny<'a>(stage: &Stage<'a>) -> Mesh<'a, Normal> {
+    stage.bunny.map_or(Mesh::new(&[], &[]), |model| {
+        fitted(model.positions, model.normals, model.indices)
+    })
+}
+
+fn m1_bunny<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
+    let mesh = bunny(stage);
+    Turning { mesh, frame }.draw(stage, probe, &Gouraud::new(light()))
+}
+
+fn m2_bunny<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
+    let mesh = bunny(stage);
+    Turning { mesh, frame }.draw(stage, probe, &Flat::new(light()))
 }

@@ -1,5 +1,6 @@
 //! interim
 #![allow(missing_docs, missing_debug_implementations)]
+mod reciprocal; mod wide; pub use reciprocal::{reciprocal, Reciprocal}; pub(crate) use wide::{mul_high, mul_high_signed, wide_product};
 #[derive(Clone, Copy, Debug, PartialEq)] pub struct Vec3 { pub x: f32, pub y: f32, pub z: f32 }
 #[derive(Clone, Copy, Debug, PartialEq)] pub struct Vec4 { pub x: f32, pub y: f32, pub z: f32, pub w: f32 }
 #[derive(Clone, Copy, Debug, PartialEq)] pub struct Angle(pub f32);
@@ -26,8 +27,5 @@ impl Mat4 { pub const IDENTITY: Self = Self([[1.,0.,0.,0.],[0.,1.,0.,0.],[0.,0.,
 fn sc(mut a: f32) -> (f32,f32) { let p=core::f32::consts::PI; while a>p {a-=2.*p;} while a< -p {a+=2.*p;} let x=a; let mut s=0.; let mut c=0.; let mut t=1.; for i in 0..20 { if i%2==0 { c+= if i%4==0 {t} else {-t}; } else { s += if i%4==1 {t} else {-t}; } t*=x/(i as f32+1.); } (s,c) }
 impl core::ops::Mul for Mat4 { type Output = Self; fn mul(self, o: Self) -> Self { let mut r=[[0.;4];4]; for i in 0..4 { for j in 0..4 { for k in 0..4 { r[i][j]+=self.0[i][k]*o.0[k][j]; } } } Self(r) } }
 pub trait Degrees { fn degrees(self) -> Angle; } impl Degrees for f32 { fn degrees(self) -> Angle { Angle(self*core::f32::consts::PI/180.) } }
-#[derive(Clone, Copy, Debug)] pub struct Reciprocal { pub mantissa: u32, pub shift: u32 }
-pub fn reciprocal(n: u32) -> Reciprocal { let lz = n.leading_zeros().min(31); let m = ((1u64<<62) / (u64::from(n.max(1)) << lz)) as u32; Reciprocal { mantissa: m.min(0x7FFF_FFFF), shift: 62-lz } }
-pub(crate) fn mul_high(a: u32, b: u32) -> u32 { ((u64::from(a)*u64::from(b))>>32) as u32 }
-pub(crate) fn mul_high_signed(a: i32, b: u32) -> i32 { ((i64::from(a)*i64::from(b))>>32) as i32 }
-pub(crate) fn wide_product(a: i32, b: u32) -> i64 { i64::from(a)*i64::from(b) }
+impl Angle { pub const fn from_degrees(d: f32) -> Self { Self(d*0.017453292) } }
+impl core::ops::Add for Vec3 { type Output = Self; fn add(self, o: Self) -> Self { Self::new(self.x+o.x,self.y+o.y,self.z+o.z) } }

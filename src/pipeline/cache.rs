@@ -30,16 +30,24 @@ impl<C: Copy + Default, const N: usize> Default for VertexCache<C, N> {
 }
 
 impl<C: Copy + Default, const N: usize> VertexCache<C, N> {
-    const POWER_OF_TWO: () = assert!(N.is_power_of_two(), "the capacity must be a power of two");
-
     /// An empty cache. A capacity that is no power of two does not compile.
     #[inline]
     pub fn new() -> Self {
+        Self::with_blank(C::default())
+    }
+}
+
+impl<C: Copy, const N: usize> VertexCache<C, N> {
+    const POWER_OF_TWO: () = assert!(N.is_power_of_two(), "the capacity must be a power of two");
+
+    /// An empty cache for a `static`: `blank` is any value, to fill the memory with.
+    #[inline]
+    pub const fn with_blank(blank: C) -> Self {
         let () = Self::POWER_OF_TWO;
         Self {
             keys: [0; N],
             projected: [Projected { x: 0, y: 0, z: 0, flags: 0 }; N],
-            corners: [C::default(); N],
+            corners: [blank; N],
         }
     }
 

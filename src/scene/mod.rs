@@ -8,4 +8,4 @@ mod normal;
 pub use camera::Camera;
 pub use light::Light;
 pub use mesh::{Indices, Mesh};
-pub use normal::Normal;
+pub use normal::{normal, Normal};

@@ -68,7 +68,7 @@ impl<const N: usize> Coloring for Lambert<N> {
     }
 
     #[inline]
-    fn color(&self, prepared: &PreparedLambert<N>, Normal([x, y, z]): &Normal) -> Rgb16 {
+    fn color(&self, prepared: &PreparedLambert<N>, [x, y, z]: &Normal) -> Rgb16 {
         let (x, y, z) = (i32::from(*x), i32::from(*y), i32::from(*z));
         let mut sum = [prepared.ambient.r, prepared.ambient.g, prepared.ambient.b].map(u32::from);
         for ([lx, ly, lz], color) in &prepared.lights {

@@ -39,6 +39,7 @@ impl Probe for Counter {
 /// Draws the first `limit` frames of a scene.
 pub(crate) fn draw(scene: &Scene<Counter>, bunny: Option<Model<'_>>, limit: u32) -> Vec<Frame> {
     let (mut color, mut depth) = (vec![0; ROOM], vec![0; ROOM]);
+    let mut cache = Box::default();
     (0..scene.frames.min(limit))
         .map(|frame| {
             // As the firmware does: a frame must not depend on what was drawn before it.
@@ -48,6 +49,7 @@ pub(crate) fn draw(scene: &Scene<Counter>, bunny: Option<Model<'_>>, limit: u32)
             let mut stage = Stage {
                 color: &mut color,
                 depth: &mut depth,
+                cache: &mut cache,
                 bunny,
             };
             let facts = (scene.draw)(&mut stage, frame, &mut counter);

@@ -2,7 +2,7 @@
 
 mod support;
 
-use microraster::raster::{Scanline, ScreenVertex, SpanWalk, Traversal, Triangle, GUARD};
+use microraster::raster::{Scanline, ScreenVertex, Span, SpanWalk, Traversal, Triangle, GUARD};
 use microraster::{Rect, Size};
 use support::{covers, Random};
 
@@ -12,7 +12,8 @@ const PICTURE: Size = Size::new(64, 48);
 fn spans(triangle: &Triangle, area: Rect) -> Vec<(i32, i32)> {
     let mut pixels = Vec::new();
     let Some(mut walk) = Scanline.walk(triangle, area) else { return pixels };
-    while let Some(span) = walk.next_span() {
+    let mut span = Span::default();
+    while walk.next_span(&mut span) {
         assert!(span.first <= span.left && span.left < span.right, "{span:?}");
         pixels.extend((span.left..span.right).map(|x| (x, span.y)));
     }

@@ -1,6 +1,6 @@
 //! interim
 #![allow(missing_docs, missing_debug_implementations)]
-mod reciprocal; mod wide; pub use reciprocal::{reciprocal, Reciprocal}; pub(crate) use wide::{mul_high, mul_high_signed, wide_product};
+mod reciprocal; mod wide; pub use reciprocal::{reciprocal, Reciprocal}; pub(crate) use wide::{BY_HALVES, mul_high, mul_high_signed, wide_product};
 #[derive(Clone, Copy, Debug, PartialEq)] pub struct Vec3 { pub x: f32, pub y: f32, pub z: f32 }
 #[derive(Clone, Copy, Debug, PartialEq)] pub struct Vec4 { pub x: f32, pub y: f32, pub z: f32, pub w: f32 }
 #[derive(Clone, Copy, Debug, PartialEq)] pub struct Angle(pub f32);

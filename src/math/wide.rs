@@ -5,7 +5,7 @@
 
 /// Whether long products are made of 16-bit halves. ARMv6-M is the one Arm profile without
 /// compare-and-swap, by which it is told here.
-const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+pub(crate) const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// The product of two numbers by their 16-bit halves: high and low word.
 #[inline(always)]

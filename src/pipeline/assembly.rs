@@ -1,4 +1,4 @@
-use super::cache::PositionCache;
+use super::cache::{slot, Entry};
 use super::mapping::Mapping;
 use super::projected::{flag, Projected};
 use super::transform::Transform;
@@ -62,6 +62,13 @@ pub(super) struct Assembly<'a> {
     pub(super) front: Winding,
 }
 
+/// Transforms a vertex and keeps it. Apart, so that it is there once for a triangle's corners.
+#[inline(never)]
+fn keep<P: Positions>(entry: &mut Entry, index: u32, positions: &P, mapping: &Mapping) {
+    let vertex = positions.clip(index).map_or(Projected::INVALID, |clip| mapping.project(&clip));
+    entry.keep(index, vertex);
+}
+
 impl Assembly<'_> {
     /// The vertices of a triangle.
     #[inline(always)]
@@ -89,7 +96,7 @@ impl Assembly<'_> {
     pub(super) fn next<P: Positions, C: Counter>(
         &mut self,
         positions: &P,
-        cache: &mut PositionCache<'_>,
+        cache: &mut [Entry],
         counter: &mut C,
         face: &mut Face,
     ) -> Next {
@@ -103,9 +110,13 @@ impl Assembly<'_> {
             };
             let mapping = &self.mapping;
             let [a, b, c] = vertices.map(|index| {
-                cache.get(index, || {
-                    positions.clip(index).map_or(Projected::INVALID, |clip| mapping.project(&clip))
-                })
+                let Some(entry) = cache.get_mut(slot(index, cache.len())) else {
+                    return Projected::INVALID;
+                };
+                if !entry.holds(index) {
+                    keep(entry, index, positions, mapping);
+                }
+                entry.vertex
             });
             let any = a.flags | b.flags | c.flags;
             if any != 0 {

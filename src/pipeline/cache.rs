@@ -1,7 +1,7 @@
 use super::projected::Projected;
 
 /// Set in a key when the vertex's attributes are made too.
-pub(super) const SHADED: u32 = 1 << 31;
+const SHADED: u32 = 1 << 31;
 
 /// Vertices that were transformed and shaded already, for up to `N` of them (a power of two).
 ///
@@ -18,9 +18,16 @@ pub(super) const SHADED: u32 = 1 << 31;
 /// ```
 #[derive(Clone, Debug)]
 pub struct VertexCache<C, const N: usize> {
-    keys: [u32; N],
-    projected: [Projected; N],
+    entries: [Entry; N],
     corners: [C; N],
+}
+
+/// A vertex that was transformed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry {
+    /// The vertex's index plus 1, and whether its attributes are made too; 0 for none.
+    key: u32,
+    pub(super) vertex: Projected,
 }
 
 impl<C: Copy + Default, const N: usize> Default for VertexCache<C, N> {
@@ -44,58 +51,45 @@ impl<C: Copy, const N: usize> VertexCache<C, N> {
     #[inline]
     pub const fn with_blank(blank: C) -> Self {
         let () = Self::POWER_OF_TWO;
-        Self {
-            keys: [0; N],
-            projected: [Projected { x: 0, y: 0, z: 0, flags: 0 }; N],
-            corners: [blank; N],
-        }
+        let vertex = Projected { x: 0, y: 0, z: 0, flags: 0 };
+        Self { entries: [Entry { key: 0, vertex }; N], corners: [blank; N] }
     }
 
     /// Forgets all vertices and lends the arrays out, without their length in the type.
     #[inline]
     pub(super) fn start(&mut self) -> CacheView<'_, C> {
-        self.keys.fill(0);
-        CacheView {
-            positions: PositionCache { keys: &mut self.keys, projected: &mut self.projected },
-            corners: &mut self.corners,
+        for entry in &mut self.entries {
+            entry.key = 0;
         }
+        CacheView { entries: &mut self.entries, corners: &mut self.corners }
     }
 }
 
 /// A cache whose capacity is no type.
 #[derive(Debug)]
 pub(super) struct CacheView<'a, C> {
-    pub(super) positions: PositionCache<'a>,
-    pub(super) corners: &'a mut [C],
+    /// The part that knows nothing of shaders.
+    pub(super) entries: &'a mut [Entry],
+    corners: &'a mut [C],
 }
 
-/// The part of a cache that knows nothing of shaders.
-#[derive(Debug)]
-pub(super) struct PositionCache<'a> {
-    pub(super) keys: &'a mut [u32],
-    projected: &'a mut [Projected],
+/// The slot of a vertex in a cache of `length`, a power of two.
+#[inline(always)]
+pub(super) fn slot(index: u32, length: usize) -> usize {
+    index as usize & length.wrapping_sub(1)
 }
 
-impl PositionCache<'_> {
-    /// The slot of a vertex.
+impl Entry {
+    /// Whether this is the vertex.
     #[inline(always)]
-    pub(super) fn slot(&self, index: u32) -> usize {
-        index as usize & self.keys.len().wrapping_sub(1)
+    pub(super) fn holds(&self, index: u32) -> bool {
+        self.key & !SHADED == index.wrapping_add(1)
     }
 
-    /// The projected vertex, from the cache or else made and kept.
+    /// Keeps a vertex.
     #[inline(always)]
-    pub(super) fn get(&mut self, index: u32, project: impl FnOnce() -> Projected) -> Projected {
-        let slot = self.slot(index);
-        let (Some(key), Some(kept)) = (self.keys.get_mut(slot), self.projected.get_mut(slot))
-        else {
-            return Projected::INVALID;
-        };
-        if *key & !SHADED != index.wrapping_add(1) {
-            *key = index.wrapping_add(1);
-            *kept = project();
-        }
-        *kept
+    pub(super) fn keep(&mut self, index: u32, vertex: Projected) {
+        *self = Self { key: index.wrapping_add(1), vertex };
     }
 }
 
@@ -103,19 +97,18 @@ impl<C: Copy> CacheView<'_, C> {
     /// A vertex's attributes, from the cache or else made and kept.
     #[inline(always)]
     pub(super) fn corner(&mut self, index: u32, shade: impl FnOnce() -> C) -> C {
-        let slot = self.positions.slot(index);
-        let (Some(key), Some(kept)) =
-            (self.positions.keys.get_mut(slot), self.corners.get_mut(slot))
+        let slot = slot(index, self.entries.len());
+        let (Some(entry), Some(kept)) = (self.entries.get_mut(slot), self.corners.get_mut(slot))
         else {
             return shade();
         };
-        if *key == index.wrapping_add(1) | SHADED {
+        if entry.key == index.wrapping_add(1) | SHADED {
             return *kept;
         }
         let corner = shade();
         // Another vertex of the same triangle may have taken the slot.
-        if *key == index.wrapping_add(1) {
-            *key |= SHADED;
+        if entry.holds(index) {
+            entry.key |= SHADED;
             *kept = corner;
         }
         corner

@@ -1,6 +1,6 @@
 use crate::color::Format;
 use crate::frame::{DepthAccess, Frame, Rect, Supplies};
-use crate::raster::{Gradients, Plane, SpanWalk, Traversal, Triangle};
+use crate::raster::{Gradients, Plane, Span, SpanWalk, Traversal, Triangle};
 use crate::shade::{Corner, DepthTest, Row, Shader, State, Varying};
 
 /// How a state touches depth.
@@ -40,16 +40,23 @@ impl<V: Varying> Fill<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let Some(mut walk) = state.traversal().walk(self.triangle, area) else { return };
-        let Some(mut span) = walk.next_span() else { return };
-        let touches_depth = <Access<S>>::TOUCHES;
-        let (mut z_plane, mut gradients) = (Plane::default(), Gradients::default());
-        if touches_depth || V::INTERPOLATED {
-            gradients = Gradients::new(self.triangle);
+        // Taken by reference: moving the walk out of its option would copy it.
+        let mut walk = state.traversal().walk(self.triangle, area);
+        let Some(walk) = &mut walk else { return };
+        let mut span = Span::default();
+        if !walk.next_span(&mut span) {
+            return;
         }
-        if touches_depth {
-            z_plane = depth_plane(&gradients, self.triangle);
-        }
+        let gradients = if <Access<S>>::TOUCHES || V::INTERPOLATED {
+            Gradients::new(self.triangle)
+        } else {
+            Gradients::default()
+        };
+        let z_plane = if <Access<S>>::TOUCHES {
+            depth_plane(&gradients, self.triangle)
+        } else {
+            Plane::default()
+        };
         let planes = V::planes(&gradients, self.corners, self.provoking);
         let (depth, counter) = state.parts();
         loop {
@@ -86,9 +93,8 @@ impl<V: Varying> Fill<'_, V> {
                     break;
                 }
             }
-            match walk.next_span() {
-                Some(next) => span = next,
-                None => return,
+            if !walk.next_span(&mut span) {
+                return;
             }
         }
     }

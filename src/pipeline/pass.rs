@@ -225,7 +225,7 @@ impl<H: Shader> Draw<'_, H> {
             Face { number: 0, vertices: [0; 3], triangle: Triangle::EMPTY };
         loop {
             let (_, counter) = state.parts();
-            match assembly.next(positions, &mut cache.positions, counter, &mut face) {
+            match assembly.next(positions, cache.entries, counter, &mut face) {
                 Next::End => return,
                 Next::Whole => {
                     let Some(corners) = self.corners(&face, &mut cache) else {

@@ -95,7 +95,8 @@ impl<S: State> ScreenPass<S> {
             counter.event(Event::Skipped);
             return;
         }
-        let Some(triangle) = Triangle::oriented(vertices) else {
+        let triangle = Triangle::oriented(vertices);
+        let Some(triangle) = &triangle else {
             counter.event(Event::Degenerate);
             return;
         };
@@ -107,7 +108,7 @@ impl<S: State> ScreenPass<S> {
         counter.event(Event::Drawn);
         let ordered = if triangle.flipped { [p, r, q] } else { [p, q, r] };
         let area = frame.scissor();
-        Fill { triangle: &triangle, corners: ordered, provoking: p }
+        Fill { triangle, corners: ordered, provoking: p }
             .draw(frame, &mut self.state, shader, area);
     }
 }

@@ -26,8 +26,8 @@ pub trait Traversal: Copy {
 
 /// A triangle being walked.
 pub trait SpanWalk {
-    /// The next span that is not empty.
-    fn next_span(&mut self) -> Option<Span>;
+    /// Goes to the next span that is not empty; false when there is none.
+    fn next_span(&mut self, span: &mut Span) -> bool;
 }
 
 /// The shipped traversal: row by row between two edges. See [`Spans`].

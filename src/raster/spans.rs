@@ -77,28 +77,37 @@ impl Spans {
     }
 }
 
+impl Spans {
+    /// Goes over to the short side's second edge; false at the end. Apart, so that the common way
+    /// through [`next_span`](SpanWalk::next_span) stays short.
+    #[cold]
+    #[inline(never)]
+    fn turn(&mut self) -> bool {
+        if self.turn >= self.end {
+            return false;
+        }
+        self.turn = self.end;
+        self.short = EdgeWalk::new(&self.middle, &self.low, self.y);
+        true
+    }
+}
+
 impl SpanWalk for Spans {
     #[inline(never)]
-    fn next_span(&mut self) -> Option<Span> {
+    fn next_span(&mut self, span: &mut Span) -> bool {
         loop {
-            if self.y >= self.turn {
-                if self.turn >= self.end {
-                    return None;
-                }
-                self.turn = self.end;
-                self.short = EdgeWalk::new(&self.middle, &self.low, self.y);
+            if self.y >= self.turn && !self.turn() {
+                return false;
             }
-            let (first, last) = if self.long_is_right {
-                (self.short.x, self.long.x)
-            } else {
-                (self.long.x, self.short.x)
-            };
+            let (long, short) = (self.long.x, self.short.x);
+            let (first, last) = if self.long_is_right { (short, long) } else { (long, short) };
             let (y, left, right) = (self.y, first.max(self.left), last.min(self.right));
             self.long.step();
             self.short.step();
             self.y = y.wrapping_add(1);
             if left < right {
-                return Some(Span { y, first, left, right });
+                *span = Span { y, first, left, right };
+                return true;
             }
         }
     }

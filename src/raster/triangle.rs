@@ -2,6 +2,7 @@ use super::ScreenVertex;
 #[cfg(doc)]
 use super::GUARD;
 use crate::frame::Size;
+use crate::math::BY_HALVES;
 
 /// Twice the area of a triangle in square subpixels; positive when its corners run clockwise on
 /// the screen.
@@ -10,7 +11,8 @@ use crate::frame::Size;
 /// Exact for coordinates in the square of [`GUARD`]: at most 2^35 in magnitude.
 ///
 /// # Cost
-/// 32-bit products while every side is shorter than 1448 pixels.
+/// On ARMv6-M, which has no long products, 32-bit ones while every side is shorter than 1448
+/// pixels.
 #[inline(always)]
 pub fn twice_area(v: &[ScreenVertex; 3]) -> i64 {
     let [a, b, c] = v;
@@ -28,7 +30,8 @@ pub(crate) fn area_of_sides(x1: i32, y1: i32, x2: i32, y2: i32) -> i64 {
     /// Two sides this long span a box whose area fits an i32: floor(sqrt(2^31) / 2).
     const SHORT: u32 = 23_170;
     let within = |side: i32| side.wrapping_add(SHORT as i32) as u32 <= 2 * SHORT;
-    if within(x1) && within(y1) && within(x2) && within(y2) {
+    // Where long products are a single instruction, they are cheaper than the question.
+    if BY_HALVES && within(x1) && within(y1) && within(x2) && within(y2) {
         // The result fits, so that a wrap of one product is undone by the difference.
         i64::from(x1.wrapping_mul(y2).wrapping_sub(x2.wrapping_mul(y1)))
     } else {

@@ -27,12 +27,18 @@ const LIBRARY_TARGETS: [&str; 4] = [
     "wasm32-unknown-unknown",
 ];
 
+/// What the help says under the options.
+const HELP: &str = "\
+Each scene becomes one line; instructions, pixels and triangles are the means of its frames, and
+the hash of several frames is that of their hashes. Then one line a board: flash and RAM of the
+whole firmware with its 320x240 buffers, and the deepest stack of what was measured, in bytes.
+
+MICRORASTER_MODELS names a folder with obj/bunny-npm/bunny.obj; without it the scenes that need
+it are skipped, or fail when MICRORASTER_REQUIRE_SHARED is set.";
+
 /// What to draw, where, and what to print of it.
-///
-/// Each scene becomes a line of facts; instructions, pixels and triangles are the means of its
-/// frames. Then comes one line a board: flash and RAM of the whole firmware with its buffers of
-/// 320x240, and the deepest stack of what was measured.
 #[derive(Debug, clap::Args)]
+#[command(after_help = HELP)]
 pub(crate) struct Arguments {
     /// Boards, of m0, m3, m4, m7, m33, m55 and rv32.
     #[arg(

@@ -31,13 +31,8 @@ impl Kind {
         let own = has(&["microraster::", "size_"]);
         if symbol.section.starts_with(".vector") || symbol.section.starts_with(".trap") {
             Self::Runtime
-        } else if has(&[
-            "core::panicking",
-            "panic",
-            "unwrap_failed",
-            "expect_failed",
-            "_fail",
-        ]) || name == "rust_begin_unwind"
+        } else if has(&["core::panicking", "rust_begin_unwind"])
+            || (!own && has(&["panic", "unwrap_failed", "expect_failed", "_fail"]))
         {
             Self::Panic
         } else if starts(&["compiler_builtins::", "<compiler_builtins"])
@@ -224,6 +219,10 @@ mod tests {
             Kind::Panic
         );
         assert_eq!(kind("rust_begin_unwind"), Kind::Panic);
+        assert_eq!(
+            kind("_ZN11microraster5depth10depth_fail17h0123456789abcdefE"),
+            Kind::Own
+        );
         assert_eq!(kind("__aeabi_fmul"), Kind::Builtins);
         assert_eq!(kind("memset"), Kind::Builtins);
         assert_eq!(kind("Reset"), Kind::Runtime);

@@ -4,7 +4,7 @@ use super::projected::{flag, Projected};
 use super::transform::Transform;
 use super::{Clip, Cull, Winding};
 use crate::frame::Rect;
-use crate::raster::{area_of_sides, ScreenVertex, Triangle};
+use crate::raster::{area_of_sides, Triangle};
 use crate::scene::Indices;
 use crate::shade::{Counter, Event};
 
@@ -57,6 +57,7 @@ pub(super) struct Assembly<'a> {
     pub(super) triangles: u32,
     pub(super) cursor: u32,
     pub(super) mapping: Mapping,
+    /// What is drawn of the picture.
     pub(super) area: Rect,
     pub(super) cull: Cull,
     pub(super) front: Winding,
@@ -145,12 +146,7 @@ impl Assembly<'_> {
                 counter.event(Event::Culled);
                 continue;
             }
-            let corners = [mapping.place(&a), mapping.place(&b), mapping.place(&c)];
-            if !self.holds_a_center(&corners) {
-                counter.event(Event::Outside);
-                continue;
-            }
-            let [a, b, c] = corners;
+            let [a, b, c] = [mapping.place(&a), mapping.place(&b), mapping.place(&c)];
             face.number = number;
             face.vertices = vertices;
             face.triangle = if area > 0 {
@@ -161,19 +157,5 @@ impl Assembly<'_> {
             return Next::Whole;
         }
         Next::End
-    }
-
-    /// Whether a pixel centre of the drawn area lies in the triangle's box.
-    #[inline(always)]
-    fn holds_a_center(&self, [a, b, c]: &[ScreenVertex; 3]) -> bool {
-        let pixel = |bits: i32| bits.wrapping_add(7) >> 4;
-        let (x, y) = (
-            [a.x_bits(), b.x_bits(), c.x_bits()],
-            [a.y_bits(), b.y_bits(), c.y_bits()],
-        );
-        let least = |[a, b, c]: [i32; 3]| pixel(a.min(b).min(c));
-        let most = |[a, b, c]: [i32; 3]| pixel(a.max(b).max(c));
-        least(y).max(self.area.top) < most(y).min(self.area.bottom)
-            && least(x).max(self.area.left) < most(x).min(self.area.right)
     }
 }

@@ -1,10 +1,13 @@
 use crate::color::Format;
-use crate::frame::{DepthAccess, Frame, Rect, Supplies};
+use crate::frame::{DepthAccess, Frame, Supplies};
 use crate::raster::{Gradients, Plane, Span, SpanWalk, Traversal, Triangle};
 use crate::shade::{Corner, DepthTest, Row, Shader, State, Varying};
 
 /// How a state touches depth.
 pub(crate) type Access<S> = <<S as State>::Depth as DepthTest>::Access;
+
+/// A triangle being walked under a state.
+pub(super) type Walk<S> = <<S as State>::Traversal as Traversal>::Walk;
 
 /// A triangle ready for its pixels: where it is, and its attributes in the same order.
 #[derive(Clone, Copy)]
@@ -23,30 +26,23 @@ pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
 }
 
 impl<V: Varying> Fill<'_, V> {
-    /// Draws the triangle's pixels inside `area`.
+    /// Draws the triangle's pixels: `span`, the first one, and all that `walk` still finds.
     ///
     /// One copy of this, with the pixel loop inlined, is what a shader and state cost in flash.
-    /// Planes are made at the first span that is not empty.
     #[inline(never)]
     pub(super) fn draw<H, S, F, D>(
         &self,
         frame: &mut Frame<'_, F, D>,
         state: &mut S,
         shader: &H,
-        area: Rect,
+        walk: &mut Walk<S>,
+        span: &mut Span,
     ) where
         H: Shader<Varying = V>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,
     {
-        // Taken by reference: moving the walk out of its option would copy it.
-        let mut walk = state.traversal().walk(self.triangle, area);
-        let Some(walk) = &mut walk else { return };
-        let mut span = Span::default();
-        if !walk.next_span(&mut span) {
-            return;
-        }
         let gradients = if <Access<S>>::TOUCHES || V::INTERPOLATED {
             Gradients::new(self.triangle)
         } else {
@@ -93,7 +89,7 @@ impl<V: Varying> Fill<'_, V> {
                     break;
                 }
             }
-            if !walk.next_span(&mut span) {
+            if !walk.next_span(span) {
                 return;
             }
         }

@@ -8,7 +8,7 @@ use super::{Clip, Cull, VertexCache, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies};
 use crate::math::Mat4;
-use crate::raster::{Traversal, Triangle};
+use crate::raster::{Span, SpanWalk, Traversal, Triangle};
 use crate::scene::{Camera, Mesh};
 use crate::shade::{
     Corner, Counter, Counting, DepthTest, DrawContext, Event, Shader, State, States, Stats, Varying,
@@ -228,6 +228,15 @@ impl<H: Shader> Draw<'_, H> {
             match assembly.next(positions, cache.entries, counter, &mut face) {
                 Next::End => return,
                 Next::Whole => {
+                    let mut walk = state.traversal().walk(&face.triangle, assembly.area);
+                    let mut span = Span::default();
+                    let Some(walk) =
+                        walk.as_mut().and_then(|walk| walk.next_span(&mut span).then_some(walk))
+                    else {
+                        state.parts().1.event(Event::Outside);
+                        continue;
+                    };
+                    // Only now, with a pixel to draw, are its vertices shaded.
                     let Some(corners) = self.corners(&face, &mut cache) else {
                         state.parts().1.event(Event::Skipped);
                         continue;
@@ -236,7 +245,7 @@ impl<H: Shader> Draw<'_, H> {
                     let [a, b, c] = &corners;
                     let ordered = if face.triangle.flipped { [a, c, b] } else { [a, b, c] };
                     Fill { triangle: &face.triangle, corners: ordered, provoking: a }
-                        .draw(frame, state, self.shader, assembly.area);
+                        .draw(frame, state, self.shader, walk, &mut span);
                 }
                 Next::Clip => {
                     self.draw_clipped(positions, &assembly, &face, frame, state, &mut cache);
@@ -309,7 +318,7 @@ impl<H: Shader> Draw<'_, H> {
             counter.event(Event::Culled);
             return;
         }
-        counter.event(Event::Drawn);
+        let mut covered = false;
         let [p, q, r] = &corners;
         for i in 0..fan.triangles() {
             let Some((points, weights)) = fan.triangle(i) else { return };
@@ -317,10 +326,19 @@ impl<H: Shader> Draw<'_, H> {
             if triangle.flipped != (fan.area < 0) {
                 continue;
             }
+            let mut span = Span::default();
+            let mut walk = state.traversal().walk(&triangle, assembly.area);
+            let Some(walk) =
+                walk.as_mut().and_then(|walk| walk.next_span(&mut span).then_some(walk))
+            else {
+                continue;
+            };
+            covered = true;
             let [a, b, c] = weights.map(|(u, v)| H::Varying::mix([p, q, r], u, v));
             let ordered = if triangle.flipped { [&a, &c, &b] } else { [&a, &b, &c] };
             Fill { triangle: &triangle, corners: ordered, provoking: p }
-                .draw(frame, state, self.shader, assembly.area);
+                .draw(frame, state, self.shader, walk, &mut span);
         }
+        state.parts().1.event(if covered { Event::Drawn } else { Event::Outside });
     }
 }

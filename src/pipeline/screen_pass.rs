@@ -2,7 +2,7 @@ use super::fill::{Access, Fill};
 use super::{Cull, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::raster::{ScreenVertex, Traversal, Triangle};
+use crate::raster::{ScreenVertex, Span, SpanWalk, Traversal, Triangle};
 use crate::shade::{
     Corner, Counter, Counting, DepthTest, Event, Shader, State, States, Stats,
 };
@@ -105,10 +105,15 @@ impl<S: State> ScreenPass<S> {
             counter.event(Event::Culled);
             return;
         }
-        counter.event(Event::Drawn);
-        let ordered = if triangle.flipped { [p, r, q] } else { [p, q, r] };
-        let area = frame.scissor();
-        Fill { triangle, corners: ordered, provoking: p }
-            .draw(frame, &mut self.state, shader, area);
+        let mut walk = self.state.traversal().walk(triangle, frame.scissor());
+        let mut span = Span::default();
+        if let Some(walk) = walk.as_mut().and_then(|walk| walk.next_span(&mut span).then_some(walk)) {
+            self.state.parts().1.event(Event::Drawn);
+            let ordered = if triangle.flipped { [p, r, q] } else { [p, q, r] };
+            Fill { triangle, corners: ordered, provoking: p }
+                .draw(frame, &mut self.state, shader, walk, &mut span);
+        } else {
+            self.state.parts().1.event(Event::Outside);
+        }
     }
 }

@@ -55,6 +55,12 @@ impl Spans {
         if start >= end {
             return None;
         }
+        // The same for columns: a narrow triangle may pass between the centres.
+        let column = |x: i32| x.wrapping_add(7) >> 4;
+        let (x, y, z) = (a.x_bits(), b.x_bits(), c.x_bits());
+        if column(x.min(y).min(z)).max(area.left) >= column(x.max(y).max(z)).min(area.right) {
+            return None;
+        }
         let turn = first_row(middle).max(area.top).min(end);
         let long = EdgeWalk::new(high, low, start);
         let (short, turn) = if start < turn {

@@ -1,6 +1,6 @@
 use crate::color::Format;
 use crate::frame::{DepthAccess, Frame, Supplies};
-use crate::raster::{Gradients, Plane, Span, SpanWalk, Traversal, Triangle};
+use crate::raster::{Gradients, Plane, SpanBatch, SpanWalk, Traversal, Triangle};
 use crate::shade::{Corner, DepthTest, Row, Shader, State, Varying};
 
 /// How a state touches depth.
@@ -17,6 +17,18 @@ pub(super) struct Fill<'a, V: Varying> {
     pub(super) provoking: &'a Corner<V>,
 }
 
+/// A walk's first spans; `None` if it has none.
+#[inline(always)]
+pub(super) fn first_spans<'a, W: SpanWalk>(
+    walk: &'a mut Option<W>,
+    batch: &mut SpanBatch,
+) -> Option<&'a mut W> {
+    // By reference: moving the walk out of its option would copy it.
+    let walk = walk.as_mut()?;
+    walk.next_spans(batch);
+    (!batch.spans().is_empty()).then_some(walk)
+}
+
 /// The plane of a triangle's depth codes, 16.16, raised by a half so that cutting off rounds.
 pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
     let [a, b, c] = &triangle.v;
@@ -26,7 +38,7 @@ pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
 }
 
 impl<V: Varying> Fill<'_, V> {
-    /// Draws the triangle's pixels: `span`, the first one, and all that `walk` still finds.
+    /// Draws the triangle's pixels: those of `batch` and all that `walk` still finds.
     ///
     /// One copy of this, with the pixel loop inlined, is what a shader and state cost in flash.
     #[inline(never)]
@@ -36,7 +48,7 @@ impl<V: Varying> Fill<'_, V> {
         state: &mut S,
         shader: &H,
         walk: &mut Walk<S>,
-        span: &mut Span,
+        batch: &mut SpanBatch,
     ) where
         H: Shader<Varying = V>,
         S: State,
@@ -56,42 +68,47 @@ impl<V: Varying> Fill<'_, V> {
         let planes = V::planes(&gradients, self.corners, self.provoking);
         let (depth, counter) = state.parts();
         loop {
-            let y = span.y;
-            let mut left = span.left;
-            loop {
-                // Where the varying may only be stepped so far, a span is drawn in pieces.
-                let (start, right) = if V::PIECE == 0 {
-                    (left, span.right)
-                } else {
-                    let column = left & V::PIECE.wrapping_neg();
-                    (column.max(span.first), column.wrapping_add(V::PIECE).min(span.right))
-                };
-                let (mut varying, step) = V::start(&planes, start, y);
-                if V::PIECE != 0 {
-                    varying.advance(&step, left.wrapping_sub(start));
-                }
-                let Some((pixels, cells)) = frame.row_with_depth::<Access<S>>(y, left, right)
-                else {
-                    return;
-                };
-                shader.span(Row::<S, F, V> {
-                    pixels,
-                    cells,
-                    z: z_plane.at(left, y),
-                    z_step: z_plane.dx,
-                    varying,
-                    step,
-                    depth,
-                    counter,
-                });
-                left = right;
-                if V::PIECE == 0 || left >= span.right {
-                    break;
+            for span in batch.spans() {
+                let mut left = span.left;
+                loop {
+                    // Where a varying may only be stepped so far, a span is drawn in pieces,
+                    // counted from the row's first covered pixel.
+                    let (start, right) = if V::PIECE == 0 {
+                        (left, span.right)
+                    } else {
+                        let pieces = left.wrapping_sub(span.first) & V::PIECE.wrapping_neg();
+                        let start = span.first.wrapping_add(pieces);
+                        (start, start.wrapping_add(V::PIECE).min(span.right))
+                    };
+                    let (mut varying, step) = V::start(&planes, start, span.y);
+                    if left != start {
+                        varying.advance(&step, left.wrapping_sub(start));
+                    }
+                    let Some((pixels, cells)) =
+                        frame.row_with_depth::<Access<S>>(span.y, left, right)
+                    else {
+                        return;
+                    };
+                    shader.span(Row::<S, F, V> {
+                        pixels,
+                        cells,
+                        z: z_plane.at(left, span.y),
+                        z_step: z_plane.dx,
+                        varying,
+                        step,
+                        depth,
+                        counter,
+                    });
+                    left = right;
+                    if V::PIECE == 0 || left >= span.right {
+                        break;
+                    }
                 }
             }
-            if !walk.next_span(span) {
+            if batch.is_last() {
                 return;
             }
+            walk.next_spans(batch);
         }
     }
 }

@@ -1,14 +1,14 @@
 use super::assembly::{Assembly, Face, MeshPositions, Next, Positions};
 use super::cache::CacheView;
 use super::clipper::Polygon;
-use super::fill::{Access, Fill};
+use super::fill::{first_spans, Access, Fill};
 use super::mapping::Mapping;
 use super::transform::Transform;
 use super::{Clip, Cull, VertexCache, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies};
 use crate::math::Mat4;
-use crate::raster::{Span, SpanWalk, Traversal, Triangle};
+use crate::raster::{SpanBatch, Traversal, Triangle};
 use crate::scene::{Camera, Mesh};
 use crate::shade::{
     Corner, Counter, Counting, DepthTest, DrawContext, Event, Shader, State, States, Stats, Varying,
@@ -223,15 +223,15 @@ impl<H: Shader> Draw<'_, H> {
     {
         let mut face =
             Face { number: 0, vertices: [0; 3], triangle: Triangle::EMPTY };
+        let mut batch = SpanBatch::default();
         loop {
             let (_, counter) = state.parts();
             match assembly.next(positions, cache.entries, counter, &mut face) {
                 Next::End => return,
                 Next::Whole => {
                     let mut walk = state.traversal().walk(&face.triangle, assembly.area);
-                    let mut span = Span::default();
                     let Some(walk) =
-                        walk.as_mut().and_then(|walk| walk.next_span(&mut span).then_some(walk))
+                        first_spans(&mut walk, &mut batch)
                     else {
                         state.parts().1.event(Event::Outside);
                         continue;
@@ -245,7 +245,7 @@ impl<H: Shader> Draw<'_, H> {
                     let [a, b, c] = &corners;
                     let ordered = if face.triangle.flipped { [a, c, b] } else { [a, b, c] };
                     Fill { triangle: &face.triangle, corners: ordered, provoking: a }
-                        .draw(frame, state, self.shader, walk, &mut span);
+                        .draw(frame, state, self.shader, walk, &mut batch);
                 }
                 Next::Clip => {
                     self.draw_clipped(positions, &assembly, &face, frame, state, &mut cache);
@@ -318,7 +318,7 @@ impl<H: Shader> Draw<'_, H> {
             counter.event(Event::Culled);
             return;
         }
-        let mut covered = false;
+        let (mut covered, mut batch) = (false, SpanBatch::default());
         let [p, q, r] = &corners;
         for i in 0..fan.triangles() {
             let Some((points, weights)) = fan.triangle(i) else { return };
@@ -326,10 +326,9 @@ impl<H: Shader> Draw<'_, H> {
             if triangle.flipped != (fan.area < 0) {
                 continue;
             }
-            let mut span = Span::default();
             let mut walk = state.traversal().walk(&triangle, assembly.area);
             let Some(walk) =
-                walk.as_mut().and_then(|walk| walk.next_span(&mut span).then_some(walk))
+                first_spans(&mut walk, &mut batch)
             else {
                 continue;
             };
@@ -337,7 +336,7 @@ impl<H: Shader> Draw<'_, H> {
             let [a, b, c] = weights.map(|(u, v)| H::Varying::mix([p, q, r], u, v));
             let ordered = if triangle.flipped { [&a, &c, &b] } else { [&a, &b, &c] };
             Fill { triangle: &triangle, corners: ordered, provoking: p }
-                .draw(frame, state, self.shader, walk, &mut span);
+                .draw(frame, state, self.shader, walk, &mut batch);
         }
         state.parts().1.event(if covered { Event::Drawn } else { Event::Outside });
     }

@@ -1,8 +1,8 @@
-use super::fill::{Access, Fill};
+use super::fill::{first_spans, Access, Fill};
 use super::{Cull, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::raster::{ScreenVertex, Span, SpanWalk, Traversal, Triangle};
+use crate::raster::{ScreenVertex, SpanBatch, Traversal, Triangle};
 use crate::shade::{
     Corner, Counter, Counting, DepthTest, Event, Shader, State, States, Stats,
 };
@@ -106,12 +106,12 @@ impl<S: State> ScreenPass<S> {
             return;
         }
         let mut walk = self.state.traversal().walk(triangle, frame.scissor());
-        let mut span = Span::default();
-        if let Some(walk) = walk.as_mut().and_then(|walk| walk.next_span(&mut span).then_some(walk)) {
+        let mut batch = SpanBatch::default();
+        if let Some(walk) = first_spans(&mut walk, &mut batch) {
             self.state.parts().1.event(Event::Drawn);
             let ordered = if triangle.flipped { [p, r, q] } else { [p, q, r] };
             Fill { triangle, corners: ordered, provoking: p }
-                .draw(frame, &mut self.state, shader, walk, &mut span);
+                .draw(frame, &mut self.state, shader, walk, &mut batch);
         } else {
             self.state.parts().1.event(Event::Outside);
         }

@@ -19,6 +19,8 @@ pub struct Gradients {
     /// 1 / (2 area) = mantissa 2^-(shift + 20), the 20 for 16 fraction bits and 16 subpixels.
     mantissa: u32,
     shift: u32,
+    /// Half a unit of the shifted product.
+    half: i64,
     /// Sides so long that numerators need 64 bits.
     long: bool,
     /// From the first corner to the centre of its pixel, in subpixels.
@@ -44,6 +46,7 @@ impl Gradients {
         // Areas above 32 bits lose low bits that are far below the reciprocal's own error.
         let excess = 32_u32.saturating_sub(triangle.area.leading_zeros());
         let reciprocal = reciprocal((triangle.area >> excess) as u32);
+        let shift = reciprocal.shift.wrapping_add(excess).wrapping_sub(20);
         let longest = x1.unsigned_abs() | y1.unsigned_abs() | x2.unsigned_abs() | y2.unsigned_abs();
         Self {
             x1,
@@ -51,7 +54,8 @@ impl Gradients {
             x2,
             y2,
             mantissa: reciprocal.mantissa,
-            shift: reciprocal.shift.wrapping_add(excess).wrapping_sub(20),
+            shift,
+            half: 1 << (shift.wrapping_sub(1) & 63),
             long: longest >= SHORT_SIDE,
             to_center_x: 8_i32.wrapping_sub(a.x_bits() & 15),
             to_center_y: 8_i32.wrapping_sub(a.y_bits() & 15),
@@ -94,10 +98,16 @@ impl Gradients {
             );
         }
         let numerator = p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-        let product = wide_product(numerator, self.mantissa);
-        let half = 1_i64 << (self.shift.wrapping_sub(1) & 63);
-        let rounded = product.wrapping_add(half);
-        ((rounded >> (self.shift & 63)) as i32, (rounded >> (self.shift.wrapping_add(4) & 63)) as i32)
+        let product = wide_product(numerator, self.mantissa).wrapping_add(self.half);
+        // product >> shift by words: cheaper than a shift of 64 bits by a variable.
+        let (high, low) = ((product >> 32) as i32, product as u32);
+        let (high, low) = if self.shift < 32 {
+            let over = (high as u32).wrapping_shl(32_u32.wrapping_sub(self.shift));
+            (high.wrapping_shr(self.shift), over | low.wrapping_shr(self.shift))
+        } else {
+            (high >> 31, high.wrapping_shr(self.shift.wrapping_sub(32)) as u32)
+        };
+        (low as i32, ((high as u32) << 28 | low >> 4) as i32)
     }
 }
 

@@ -19,7 +19,7 @@ mod screen_vertex;
 mod spans;
 mod triangle;
 
-pub use coverage::{Scanline, Span, SpanWalk, Traversal};
+pub use coverage::{Scanline, Span, SpanBatch, SpanWalk, Traversal};
 pub(crate) use edge_walk::EdgeWalk;
 pub use gradients::Gradients;
 pub use plane::Plane;

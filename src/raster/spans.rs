@@ -1,4 +1,4 @@
-use super::{EdgeWalk, ScreenVertex, Span, SpanWalk, Triangle};
+use super::{EdgeWalk, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
 
 /// A triangle walked row by row: each row's first and last covered pixel by an exact integer walk along
@@ -85,8 +85,7 @@ impl Spans {
 
 impl Spans {
     /// Goes over to the short side's second edge; false at the end. Apart, so that the common way
-    /// through [`next_span`](SpanWalk::next_span) stays short.
-    #[cold]
+    /// stays short.
     #[inline(never)]
     fn turn(&mut self) -> bool {
         if self.turn >= self.end {
@@ -99,7 +98,7 @@ impl Spans {
 }
 
 impl SpanWalk for Spans {
-    #[inline(never)]
+    #[inline]
     fn next_span(&mut self, span: &mut Span) -> bool {
         loop {
             if self.y >= self.turn && !self.turn() {
@@ -116,5 +115,40 @@ impl SpanWalk for Spans {
                 return true;
             }
         }
+    }
+
+    #[inline(never)]
+    fn next_spans(&mut self, batch: &mut SpanBatch) {
+        let mut taken = 0_usize;
+        let (mut long, mut y) = (self.long, self.y);
+        let (left, right) = (self.left, self.right);
+        let spans = &mut batch.spans;
+        while y < self.turn || self.turn() {
+            // Rows down to the turn, or as many as fit.
+            let room = SpanBatch::CAPACITY.wrapping_sub(taken) as i32;
+            let end = self.turn.min(y.wrapping_add(room));
+            let mut short = self.short;
+            while y < end {
+                let (first, last) =
+                    if self.long_is_right { (short.x, long.x) } else { (long.x, short.x) };
+                let (left, right) = (first.max(left), last.min(right));
+                if left < right {
+                    if let Some(span) = spans.get_mut(taken) {
+                        *span = Span { y, first, left, right };
+                    }
+                    taken = taken.wrapping_add(1);
+                }
+                long.step();
+                short.step();
+                y = y.wrapping_add(1);
+            }
+            self.y = y;
+            self.short = short;
+            if taken >= SpanBatch::CAPACITY {
+                break;
+            }
+        }
+        self.long = long;
+        batch.length = taken;
     }
 }

@@ -18,8 +18,8 @@ pub trait Varying: Copy {
     /// Whether planes are needed. Otherwise the provoking corner alone decides, and the other two
     /// are never made.
     const INTERPOLATED: bool;
-    /// Longest run of pixels that may be stepped, a power of two, or 0 for any: a span is cut at
-    /// picture columns that are multiples of it.
+    /// Longest run of pixels that may be stepped, a power of two, or 0 for any: a longer span is
+    /// drawn in pieces of it, counted from the row's first covered pixel.
     const PIECE: i32;
 
     /// The planes of a triangle; `corners` in its own order, the provoking one apart.

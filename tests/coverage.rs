@@ -2,7 +2,7 @@
 
 mod support;
 
-use microraster::raster::{Scanline, ScreenVertex, Span, SpanWalk, Traversal, Triangle, GUARD};
+use microraster::raster::{Scanline, ScreenVertex, SpanBatch, SpanWalk, Traversal, Triangle, GUARD};
 use microraster::{Rect, Size};
 use support::{covers, Random};
 
@@ -11,11 +11,17 @@ const PICTURE: Size = Size::new(64, 48);
 /// The pixels of the picture that the spans cover.
 fn spans(triangle: &Triangle, area: Rect) -> Vec<(i32, i32)> {
     let mut pixels = Vec::new();
-    let Some(mut walk) = Scanline.walk(triangle, area) else { return pixels };
-    let mut span = Span::default();
-    while walk.next_span(&mut span) {
-        assert!(span.first <= span.left && span.left < span.right, "{span:?}");
-        pixels.extend((span.left..span.right).map(|x| (x, span.y)));
+    let mut batch = SpanBatch::default();
+    let mut walk = Scanline.walk(triangle, area, &mut batch);
+    loop {
+        for span in batch.spans() {
+            assert!(span.first <= span.left && span.left < span.right, "{span:?}");
+            pixels.extend((span.left..span.right).map(|x| (x, span.y)));
+        }
+        if batch.is_last() {
+            break;
+        }
+        walk.next_spans(&mut batch);
     }
     pixels
 }

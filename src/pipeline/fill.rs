@@ -17,24 +17,15 @@ pub(super) struct Fill<'a, V: Varying> {
     pub(super) provoking: &'a Corner<V>,
 }
 
-/// A walk's first spans; `None` if it has none.
-#[inline(always)]
-pub(super) fn first_spans<'a, W: SpanWalk>(
-    walk: &'a mut Option<W>,
-    batch: &mut SpanBatch,
-) -> Option<&'a mut W> {
-    // By reference: moving the walk out of its option would copy it.
-    let walk = walk.as_mut()?;
-    walk.next_spans(batch);
-    (!batch.spans().is_empty()).then_some(walk)
-}
-
-/// The plane of a triangle's depth codes, 16.16, raised by a half so that cutting off rounds.
-pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
+/// What the planes share, and the plane of the depth codes: 16.16, raised by a half so that cutting
+/// off rounds.
+#[inline(never)]
+fn depth_gradients(triangle: &Triangle) -> (Gradients, Plane) {
+    let gradients = Gradients::new(triangle);
     let [a, b, c] = &triangle.v;
     let mut plane = gradients.plane(a.z, b.z, c.z);
     plane.origin = plane.origin.wrapping_add(0x8000);
-    plane
+    (gradients, plane)
 }
 
 impl<V: Varying> Fill<'_, V> {
@@ -55,15 +46,12 @@ impl<V: Varying> Fill<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let gradients = if <Access<S>>::TOUCHES || V::INTERPOLATED {
-            Gradients::new(self.triangle)
+        let (gradients, z_plane) = if <Access<S>>::TOUCHES {
+            depth_gradients(self.triangle)
+        } else if V::INTERPOLATED {
+            (Gradients::new(self.triangle), Plane::default())
         } else {
-            Gradients::default()
-        };
-        let z_plane = if <Access<S>>::TOUCHES {
-            depth_plane(&gradients, self.triangle)
-        } else {
-            Plane::default()
+            (Gradients::default(), Plane::default())
         };
         let planes = V::planes(&gradients, self.corners, self.provoking);
         let (depth, counter) = state.parts();

@@ -1,7 +1,7 @@
 use super::assembly::{Assembly, Face, MeshPositions, Next, Positions};
 use super::cache::CacheView;
 use super::clipper::Polygon;
-use super::fill::{first_spans, Access, Fill};
+use super::fill::{Access, Fill};
 use super::mapping::Mapping;
 use super::transform::Transform;
 use super::{Clip, Cull, VertexCache, Winding};
@@ -229,13 +229,12 @@ impl<H: Shader> Draw<'_, H> {
             match assembly.next(positions, cache.entries, counter, &mut face) {
                 Next::End => return,
                 Next::Whole => {
-                    let mut walk = state.traversal().walk(&face.triangle, assembly.area);
-                    let Some(walk) =
-                        first_spans(&mut walk, &mut batch)
-                    else {
+                    let mut walk =
+                        state.traversal().walk(&face.triangle, assembly.area, &mut batch);
+                    if batch.is_empty() {
                         state.parts().1.event(Event::Outside);
                         continue;
-                    };
+                    }
                     // Only now, with a pixel to draw, are its vertices shaded.
                     let Some(corners) = self.corners(&face, &mut cache) else {
                         state.parts().1.event(Event::Skipped);
@@ -245,7 +244,7 @@ impl<H: Shader> Draw<'_, H> {
                     let [a, b, c] = &corners;
                     let ordered = if face.triangle.flipped { [a, c, b] } else { [a, b, c] };
                     Fill { triangle: &face.triangle, corners: ordered, provoking: a }
-                        .draw(frame, state, self.shader, walk, &mut batch);
+                        .draw(frame, state, self.shader, &mut walk, &mut batch);
                 }
                 Next::Clip => {
                     self.draw_clipped(positions, &assembly, &face, frame, state, &mut cache);
@@ -326,17 +325,15 @@ impl<H: Shader> Draw<'_, H> {
             if triangle.flipped != (fan.area < 0) {
                 continue;
             }
-            let mut walk = state.traversal().walk(&triangle, assembly.area);
-            let Some(walk) =
-                first_spans(&mut walk, &mut batch)
-            else {
+            let mut walk = state.traversal().walk(&triangle, assembly.area, &mut batch);
+            if batch.is_empty() {
                 continue;
-            };
+            }
             covered = true;
             let [a, b, c] = weights.map(|(u, v)| H::Varying::mix([p, q, r], u, v));
             let ordered = if triangle.flipped { [&a, &c, &b] } else { [&a, &b, &c] };
             Fill { triangle: &triangle, corners: ordered, provoking: p }
-                .draw(frame, state, self.shader, walk, &mut batch);
+                .draw(frame, state, self.shader, &mut walk, &mut batch);
         }
         state.parts().1.event(if covered { Event::Drawn } else { Event::Outside });
     }

@@ -1,4 +1,4 @@
-use super::fill::{first_spans, Access, Fill};
+use super::fill::{Access, Fill};
 use super::{Cull, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
@@ -105,15 +105,15 @@ impl<S: State> ScreenPass<S> {
             counter.event(Event::Culled);
             return;
         }
-        let mut walk = self.state.traversal().walk(triangle, frame.scissor());
         let mut batch = SpanBatch::default();
-        if let Some(walk) = first_spans(&mut walk, &mut batch) {
+        let mut walk = self.state.traversal().walk(triangle, frame.scissor(), &mut batch);
+        if batch.is_empty() {
+            self.state.parts().1.event(Event::Outside);
+        } else {
             self.state.parts().1.event(Event::Drawn);
             let ordered = if triangle.flipped { [p, r, q] } else { [p, q, r] };
             Fill { triangle, corners: ordered, provoking: p }
-                .draw(frame, &mut self.state, shader, walk, &mut batch);
-        } else {
-            self.state.parts().1.event(Event::Outside);
+                .draw(frame, &mut self.state, shader, &mut walk, &mut batch);
         }
     }
 }

@@ -20,26 +20,15 @@ pub trait Traversal: Copy {
     /// One triangle being walked.
     type Walk: SpanWalk;
 
-    /// Starts on a triangle, limited to `area`; `None` when no pixel can be covered.
-    fn walk(&self, triangle: &Triangle, area: Rect) -> Option<Self::Walk>;
+    /// Starts on a triangle, limited to `area`, and takes its first spans: none if no pixel of it
+    /// is covered.
+    fn walk(&self, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) -> Self::Walk;
 }
 
 /// A triangle being walked.
 pub trait SpanWalk {
-    /// Goes to the next span that is not empty; false when there is none.
-    fn next_span(&mut self, span: &mut Span) -> bool;
-
-    /// Takes up to eight spans at once; fewer are taken only at the end.
-    #[inline]
-    fn next_spans(&mut self, batch: &mut SpanBatch) {
-        batch.length = 0;
-        for span in &mut batch.spans {
-            if !self.next_span(span) {
-                return;
-            }
-            batch.length = batch.length.wrapping_add(1);
-        }
-    }
+    /// Takes the next spans that are not empty, as many as fit; fewer only at the end.
+    fn next_spans(&mut self, batch: &mut SpanBatch);
 }
 
 /// A few spans of one triangle: taken together, they cost half of what they do one by one, since
@@ -54,10 +43,31 @@ impl SpanBatch {
     /// Spans that fit.
     pub const CAPACITY: usize = 8;
 
+    /// Forgets the spans.
+    #[inline(always)]
+    pub fn clear(&mut self) {
+        self.length = 0;
+    }
+
+    /// Adds a span; one too many is lost.
+    #[inline(always)]
+    pub fn push(&mut self, span: Span) {
+        if let Some(place) = self.spans.get_mut(self.length) {
+            *place = span;
+            self.length = self.length.wrapping_add(1);
+        }
+    }
+
     /// The spans that were taken.
     #[inline(always)]
     pub fn spans(&self) -> &[Span] {
         self.spans.get(..self.length).unwrap_or(&[])
+    }
+
+    /// Whether none were taken.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.length == 0
     }
 
     /// Whether these were the triangle's last.
@@ -75,7 +85,7 @@ impl Traversal for Scanline {
     type Walk = Spans;
 
     #[inline(always)]
-    fn walk(&self, triangle: &Triangle, area: Rect) -> Option<Spans> {
-        Spans::new(triangle, area)
+    fn walk(&self, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) -> Spans {
+        Spans::start(triangle, area, batch)
     }
 }

@@ -68,7 +68,7 @@ impl Gradients {
     ///
     /// # Range
     /// Any three 16-bit values, whatever they count: depth codes, 8.8 channels.
-    #[inline(never)]
+    #[inline(always)]
     pub fn plane(&self, a: u16, b: u16, c: u16) -> Plane {
         let d1 = i32::from(b).wrapping_sub(i32::from(a));
         let d2 = i32::from(c).wrapping_sub(i32::from(a));

@@ -7,7 +7,7 @@ use crate::frame::Rect;
 /// # Cost
 /// About 20 instructions a row on Cortex-M4 and a division an edge where the core has one; not
 /// generic, so that one copy serves every shader, state and format.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Spans {
     long: EdgeWalk,
     short: EdgeWalk,
@@ -30,9 +30,10 @@ fn first_row(vertex: &ScreenVertex) -> i32 {
 }
 
 impl Spans {
-    /// Starts on a triangle, limited to `area`; `None` when it covers no row of it.
+    /// Starts on a triangle, limited to `area`, and takes its first spans: none if no pixel of it
+    /// is covered. Most triangles end here, so that the walk never leaves the registers.
     #[inline(never)]
-    pub fn new(triangle: &Triangle, area: Rect) -> Option<Self> {
+    pub fn start(triangle: &Triangle, area: Rect, batch: &mut SpanBatch) -> Self {
         // Sort by y; each exchange turns the orientation over.
         let [a, b, c] = &triangle.v;
         let (mut high, mut middle, mut low) = (a, b, c);
@@ -52,14 +53,14 @@ impl Spans {
         // Rows from the first centre at or below the top to the last above the bottom.
         let start = first_row(high).max(area.top);
         let end = first_row(low).min(area.bottom);
-        if start >= end {
-            return None;
-        }
         // The same for columns: a narrow triangle may pass between the centres.
         let column = |x: i32| x.wrapping_add(7) >> 4;
         let (x, y, z) = (a.x_bits(), b.x_bits(), c.x_bits());
-        if column(x.min(y).min(z)).max(area.left) >= column(x.max(y).max(z)).min(area.right) {
-            return None;
+        let left = column(x.min(y).min(z)).max(area.left);
+        let right = column(x.max(y).max(z)).min(area.right);
+        batch.clear();
+        if start >= end || left >= right {
+            return Self::default();
         }
         let turn = first_row(middle).max(area.top).min(end);
         let long = EdgeWalk::new(high, low, start);
@@ -68,7 +69,7 @@ impl Spans {
         } else {
             (EdgeWalk::new(middle, low, start), end)
         };
-        Some(Self {
+        let mut spans = Self {
             long,
             short,
             y: start,
@@ -79,76 +80,52 @@ impl Spans {
             long_is_right: flip,
             middle: *middle,
             low: *low,
-        })
-    }
-}
-
-impl Spans {
-    /// Goes over to the short side's second edge; false at the end. Apart, so that the common way
-    /// stays short.
-    #[inline(never)]
-    fn turn(&mut self) -> bool {
-        if self.turn >= self.end {
-            return false;
-        }
-        self.turn = self.end;
-        self.short = EdgeWalk::new(&self.middle, &self.low, self.y);
-        true
-    }
-}
-
-impl SpanWalk for Spans {
-    #[inline]
-    fn next_span(&mut self, span: &mut Span) -> bool {
-        loop {
-            if self.y >= self.turn && !self.turn() {
-                return false;
-            }
-            let (long, short) = (self.long.x, self.short.x);
-            let (first, last) = if self.long_is_right { (short, long) } else { (long, short) };
-            let (y, left, right) = (self.y, first.max(self.left), last.min(self.right));
-            self.long.step();
-            self.short.step();
-            self.y = y.wrapping_add(1);
-            if left < right {
-                *span = Span { y, first, left, right };
-                return true;
-            }
-        }
+        };
+        spans.take(batch);
+        spans
     }
 
-    #[inline(never)]
-    fn next_spans(&mut self, batch: &mut SpanBatch) {
+    /// Takes the next spans.
+    #[inline(always)]
+    fn take(&mut self, batch: &mut SpanBatch) {
         let mut taken = 0_usize;
-        let (mut long, mut y) = (self.long, self.y);
-        let (left, right) = (self.left, self.right);
-        let spans = &mut batch.spans;
-        while y < self.turn || self.turn() {
+        loop {
             // Rows down to the turn, or as many as fit.
             let room = SpanBatch::CAPACITY.wrapping_sub(taken) as i32;
-            let end = self.turn.min(y.wrapping_add(room));
-            let mut short = self.short;
-            while y < end {
-                let (first, last) =
-                    if self.long_is_right { (short.x, long.x) } else { (long.x, short.x) };
-                let (left, right) = (first.max(left), last.min(right));
+            let end = self.turn.min(self.y.wrapping_add(room));
+            while self.y < end {
+                let (long, short) = (self.long.x, self.short.x);
+                let (first, last) = if self.long_is_right { (short, long) } else { (long, short) };
+                let (left, right) = (first.max(self.left), last.min(self.right));
                 if left < right {
-                    if let Some(span) = spans.get_mut(taken) {
-                        *span = Span { y, first, left, right };
+                    if let Some(span) = batch.spans.get_mut(taken) {
+                        *span = Span { y: self.y, first, left, right };
+                        taken = taken.wrapping_add(1);
                     }
-                    taken = taken.wrapping_add(1);
                 }
-                long.step();
-                short.step();
-                y = y.wrapping_add(1);
+                self.long.step();
+                self.short.step();
+                self.y = self.y.wrapping_add(1);
             }
-            self.y = y;
-            self.short = short;
+            if self.y >= self.turn {
+                if self.turn >= self.end {
+                    break;
+                }
+                // Over to the short side's second edge.
+                self.turn = self.end;
+                self.short = EdgeWalk::new(&self.middle, &self.low, self.y);
+            }
             if taken >= SpanBatch::CAPACITY {
                 break;
             }
         }
-        self.long = long;
         batch.length = taken;
+    }
+}
+
+impl SpanWalk for Spans {
+    #[inline(never)]
+    fn next_spans(&mut self, batch: &mut SpanBatch) {
+        self.take(batch);
     }
 }

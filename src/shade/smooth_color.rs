@@ -87,10 +87,8 @@ impl Varying for SmoothColor {
 /// One copy for every shader that interpolates a colour.
 #[inline(never)]
 fn smooth_planes(gradients: &Gradients, a: &Rgb16, b: &Rgb16, c: &Rgb16) -> SmoothColorPlanes {
-    let plane = |a: u16, b: u16, c: u16| gradients.plane(rounded(a), rounded(b), rounded(c));
-    let red = plane(a.r, b.r, c.r);
-    let green = plane(a.g, b.g, c.g);
-    let blue = plane(a.b, b.b, c.b);
+    let [red, green, blue] = [[a.r, b.r, c.r], [a.g, b.g, c.g], [a.b, b.b, c.b]]
+        .map(|[a, b, c]| gradients.plane(rounded(a), rounded(b), rounded(c)));
     let step = (packed_slope(blue.dx) << 16).wrapping_add(packed_slope(red.dx));
     SmoothColorPlanes { red, green, blue, step }
 }

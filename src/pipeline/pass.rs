@@ -1,7 +1,7 @@
 use super::assembly::{Assembly, Face, MeshPositions, Next, Positions};
 use super::cache::CacheView;
 use super::clipper::Polygon;
-use super::fill::{Access, Fill};
+use super::fill::{Access, Fill, Walk};
 use super::mapping::Mapping;
 use super::transform::Transform;
 use super::{Clip, Cull, VertexCache, Winding};
@@ -223,14 +223,14 @@ impl<H: Shader> Draw<'_, H> {
     {
         let mut face =
             Face { number: 0, vertices: [0; 3], triangle: Triangle::EMPTY };
-        let mut batch = SpanBatch::default();
+        let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         loop {
             let (_, counter) = state.parts();
             match assembly.next(positions, cache.entries, counter, &mut face) {
                 Next::End => return,
                 Next::Whole => {
-                    let mut walk =
-                        state.traversal().walk(&face.triangle, assembly.area, &mut batch);
+                    let traversal = state.traversal();
+                    traversal.start(&mut walk, &face.triangle, assembly.area, &mut batch);
                     if batch.is_empty() {
                         state.parts().1.event(Event::Outside);
                         continue;
@@ -317,7 +317,8 @@ impl<H: Shader> Draw<'_, H> {
             counter.event(Event::Culled);
             return;
         }
-        let (mut covered, mut batch) = (false, SpanBatch::default());
+        let mut covered = false;
+        let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         let [p, q, r] = &corners;
         for i in 0..fan.triangles() {
             let Some((points, weights)) = fan.triangle(i) else { return };
@@ -325,7 +326,7 @@ impl<H: Shader> Draw<'_, H> {
             if triangle.flipped != (fan.area < 0) {
                 continue;
             }
-            let mut walk = state.traversal().walk(&triangle, assembly.area, &mut batch);
+            state.traversal().start(&mut walk, &triangle, assembly.area, &mut batch);
             if batch.is_empty() {
                 continue;
             }

@@ -1,4 +1,4 @@
-use super::fill::{Access, Fill};
+use super::fill::{Access, Fill, Walk};
 use super::{Cull, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
@@ -105,8 +105,8 @@ impl<S: State> ScreenPass<S> {
             counter.event(Event::Culled);
             return;
         }
-        let mut batch = SpanBatch::default();
-        let mut walk = self.state.traversal().walk(triangle, frame.scissor(), &mut batch);
+        let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
+        self.state.traversal().start(&mut walk, triangle, frame.scissor(), &mut batch);
         if batch.is_empty() {
             self.state.parts().1.event(Event::Outside);
         } else {

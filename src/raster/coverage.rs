@@ -18,16 +18,22 @@ pub struct Span {
 /// A way of finding the pixels of a triangle; all ways find the same ones.
 pub trait Traversal: Copy {
     /// One triangle being walked.
-    type Walk: SpanWalk;
+    type Walk: SpanWalk + Default;
 
-    /// Starts on a triangle, limited to `area`, and takes its first spans: none if no pixel of it
-    /// is covered.
-    fn walk(&self, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) -> Self::Walk;
+    /// Starts `walk` on a triangle, limited to `area`, and takes its first spans: none if no pixel
+    /// of it is covered.
+    fn start(
+        &self,
+        walk: &mut Self::Walk,
+        triangle: &Triangle,
+        area: Rect,
+        batch: &mut SpanBatch,
+    );
 }
 
 /// A triangle being walked.
 pub trait SpanWalk {
-    /// Takes the next spans that are not empty, as many as fit; fewer only at the end.
+    /// Takes the next spans that are not empty; [`SpanBatch::is_last`] says when they are the last.
     fn next_spans(&mut self, batch: &mut SpanBatch);
 }
 
@@ -37,16 +43,30 @@ pub trait SpanWalk {
 pub struct SpanBatch {
     pub(super) spans: [Span; Self::CAPACITY],
     pub(super) length: usize,
+    pub(super) last: bool,
 }
 
 impl SpanBatch {
     /// Spans that fit.
-    pub const CAPACITY: usize = 8;
+    pub const CAPACITY: usize = 16;
 
-    /// Forgets the spans.
+    /// Forgets the spans; those that come are the last ones until [`more`](Self::more) is said.
     #[inline(always)]
     pub fn clear(&mut self) {
         self.length = 0;
+        self.last = true;
+    }
+
+    /// Says that more spans will follow these.
+    #[inline(always)]
+    pub fn more(&mut self) {
+        self.last = false;
+    }
+
+    /// Whether another span fits.
+    #[inline(always)]
+    pub fn has_room(&self) -> bool {
+        self.length < Self::CAPACITY
     }
 
     /// Adds a span; one too many is lost.
@@ -73,7 +93,7 @@ impl SpanBatch {
     /// Whether these were the triangle's last.
     #[inline(always)]
     pub fn is_last(&self) -> bool {
-        self.length < Self::CAPACITY
+        self.last
     }
 }
 
@@ -85,7 +105,7 @@ impl Traversal for Scanline {
     type Walk = Spans;
 
     #[inline(always)]
-    fn walk(&self, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) -> Spans {
-        Spans::start(triangle, area, batch)
+    fn start(&self, walk: &mut Spans, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
+        walk.start(triangle, area, batch);
     }
 }

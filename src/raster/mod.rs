@@ -16,6 +16,7 @@ mod edge_walk;
 mod gradients;
 mod plane;
 mod screen_vertex;
+mod short_edge;
 mod spans;
 mod triangle;
 

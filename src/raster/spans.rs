@@ -1,3 +1,4 @@
+use super::short_edge::{ShortEdge, TALLEST, WIDEST};
 use super::{EdgeWalk, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
 
@@ -29,11 +30,24 @@ fn first_row(vertex: &ScreenVertex) -> i32 {
     vertex.y_bits().wrapping_add(7) >> 4
 }
 
+/// A triangle's corners from top to bottom, and the rows between them that are drawn.
+#[derive(Clone, Copy, Debug)]
+struct Sorted<'a> {
+    high: &'a ScreenVertex,
+    middle: &'a ScreenVertex,
+    low: &'a ScreenVertex,
+    long_is_right: bool,
+    start: i32,
+    turn: i32,
+    end: i32,
+}
+
 impl Spans {
     /// Starts on a triangle, limited to `area`, and takes its first spans: none if no pixel of it
-    /// is covered. Most triangles end here, so that the walk never leaves the registers.
+    /// is covered. A short triangle ends here, and the walk stays as it is.
     #[inline(never)]
-    pub fn start(triangle: &Triangle, area: Rect, batch: &mut SpanBatch) -> Self {
+    pub fn start(&mut self, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
+        batch.clear();
         // Sort by y; each exchange turns the orientation over.
         let [a, b, c] = &triangle.v;
         let (mut high, mut middle, mut low) = (a, b, c);
@@ -53,55 +67,107 @@ impl Spans {
         // Rows from the first centre at or below the top to the last above the bottom.
         let start = first_row(high).max(area.top);
         let end = first_row(low).min(area.bottom);
+        if start >= end {
+            return;
+        }
         // The same for columns: a narrow triangle may pass between the centres.
         let column = |x: i32| x.wrapping_add(7) >> 4;
         let (x, y, z) = (a.x_bits(), b.x_bits(), c.x_bits());
-        let left = column(x.min(y).min(z)).max(area.left);
-        let right = column(x.max(y).max(z)).min(area.right);
-        batch.clear();
-        if start >= end || left >= right {
-            return Self::default();
+        let (least, most) = (x.min(y).min(z), x.max(y).max(z));
+        if column(least).max(area.left) >= column(most).min(area.right) {
+            return;
         }
         let turn = first_row(middle).max(area.top).min(end);
-        let long = EdgeWalk::new(high, low, start);
+        let sorted = Sorted { high, middle, low, long_is_right: flip, start, turn, end };
+        let height = low.y_bits().wrapping_sub(high.y_bits());
+        if height <= TALLEST && most.wrapping_sub(least) < WIDEST {
+            sorted.take_short(area, batch);
+        } else {
+            *self = sorted.walk(area);
+            self.next_spans(batch);
+        }
+    }
+}
+
+impl Sorted<'_> {
+    /// All spans of a short triangle.
+    #[inline(always)]
+    fn take_short(&self, area: Rect, batch: &mut SpanBatch) {
+        let Self { high, middle, low, long_is_right, start, turn, end } = *self;
+        let origin = high.x_bits() >> 4;
+        let edge = |a, b, y| ShortEdge::new(a, b, y, origin);
+        let long = edge(high, low, start);
+        let (short, mut stop) = if start < turn {
+            (edge(high, middle, start), turn)
+        } else {
+            (edge(middle, low, start), end)
+        };
+        let (mut left, mut right) = if long_is_right { (short, long) } else { (long, short) };
+        let mut y = start;
+        loop {
+            while y < stop {
+                let first = left.column().wrapping_add(origin);
+                let last = right.column().wrapping_add(origin);
+                left.step();
+                right.step();
+                let (from, to) = (first.max(area.left), last.min(area.right));
+                if from < to {
+                    batch.push(Span { y, first, left: from, right: to });
+                }
+                y = y.wrapping_add(1);
+            }
+            if stop >= end {
+                return;
+            }
+            // Over to the short side's second edge.
+            stop = end;
+            let second = edge(middle, low, y);
+            if long_is_right {
+                left = second;
+            } else {
+                right = second;
+            }
+        }
+    }
+
+    /// The walk over any other triangle.
+    #[inline(never)]
+    fn walk(&self, area: Rect) -> Spans {
+        let Self { high, middle, low, long_is_right, start, turn, end } = *self;
         let (short, turn) = if start < turn {
             (EdgeWalk::new(high, middle, start), turn)
         } else {
             (EdgeWalk::new(middle, low, start), end)
         };
-        let mut spans = Self {
-            long,
+        Spans {
+            long: EdgeWalk::new(high, low, start),
             short,
             y: start,
             turn,
             end,
             left: area.left,
             right: area.right,
-            long_is_right: flip,
+            long_is_right,
             middle: *middle,
             low: *low,
-        };
-        spans.take(batch);
-        spans
+        }
     }
+}
 
-    /// Takes the next spans.
-    #[inline(always)]
-    fn take(&mut self, batch: &mut SpanBatch) {
-        let mut taken = 0_usize;
+impl SpanWalk for Spans {
+    #[inline(never)]
+    fn next_spans(&mut self, batch: &mut SpanBatch) {
+        batch.clear();
         loop {
             // Rows down to the turn, or as many as fit.
-            let room = SpanBatch::CAPACITY.wrapping_sub(taken) as i32;
+            let room = SpanBatch::CAPACITY.wrapping_sub(batch.length) as i32;
             let end = self.turn.min(self.y.wrapping_add(room));
             while self.y < end {
                 let (long, short) = (self.long.x, self.short.x);
                 let (first, last) = if self.long_is_right { (short, long) } else { (long, short) };
                 let (left, right) = (first.max(self.left), last.min(self.right));
                 if left < right {
-                    if let Some(span) = batch.spans.get_mut(taken) {
-                        *span = Span { y: self.y, first, left, right };
-                        taken = taken.wrapping_add(1);
-                    }
+                    batch.push(Span { y: self.y, first, left, right });
                 }
                 self.long.step();
                 self.short.step();
@@ -109,23 +175,16 @@ impl Spans {
             }
             if self.y >= self.turn {
                 if self.turn >= self.end {
-                    break;
+                    return;
                 }
                 // Over to the short side's second edge.
                 self.turn = self.end;
                 self.short = EdgeWalk::new(&self.middle, &self.low, self.y);
             }
-            if taken >= SpanBatch::CAPACITY {
-                break;
+            if !batch.has_room() {
+                batch.more();
+                return;
             }
         }
-        batch.length = taken;
-    }
-}
-
-impl SpanWalk for Spans {
-    #[inline(never)]
-    fn next_spans(&mut self, batch: &mut SpanBatch) {
-        self.take(batch);
     }
 }

@@ -86,28 +86,28 @@ impl DepthAccess for ReadWrite {
 /// What a frame can give to a pass: a frame with depth serves every pass, one without serves
 /// those that do not touch it. A pass with a depth test on a frame without depth does not compile.
 pub trait Supplies<A: DepthAccess> {
-    /// Columns `left..right` of held row `row`; `None` where the buffer does not reach.
-    fn cells(&mut self, row: usize, left: usize, right: usize) -> Option<A::Cells<'_>>;
+    /// `length` columns of held row `row` from `left` on; `None` where the buffer does not reach.
+    fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<A::Cells<'_>>;
 }
 
 impl Supplies<Untouched> for NoDepth {
     #[inline(always)]
-    fn cells(&mut self, _row: usize, _left: usize, _right: usize) -> Option<()> {
+    fn cells(&mut self, _row: usize, _left: usize, _length: usize) -> Option<()> {
         Some(())
     }
 }
 
 impl Supplies<Untouched> for DepthBuffer<'_> {
     #[inline(always)]
-    fn cells(&mut self, _row: usize, _left: usize, _right: usize) -> Option<()> {
+    fn cells(&mut self, _row: usize, _left: usize, _length: usize) -> Option<()> {
         Some(())
     }
 }
 
 impl Supplies<ReadWrite> for DepthBuffer<'_> {
     #[inline(always)]
-    fn cells(&mut self, row: usize, left: usize, right: usize) -> Option<&mut [u16]> {
-        let start = row.wrapping_mul(self.stride);
-        self.codes.get_mut(start.wrapping_add(left)..start.wrapping_add(right))
+    fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<&mut [u16]> {
+        let start = row.wrapping_mul(self.stride).wrapping_add(left);
+        self.codes.get_mut(start..)?.get_mut(..length)
     }
 }

@@ -246,7 +246,8 @@ impl<F: Format, D> Frame<'_, F, D> {
         self.pixels.get_mut(start.wrapping_add(left as usize)..start.wrapping_add(right as usize))
     }
 
-    /// Colours and depth of columns `left..right` of picture row `y`.
+    /// Colours and depth of columns `left..right` of picture row `y`; `None` where the frame does
+    /// not reach.
     #[inline(always)]
     #[expect(clippy::type_complexity, reason = "two slices of one row; an alias would hide that")]
     pub(crate) fn row_with_depth<A: crate::frame::DepthAccess>(
@@ -259,10 +260,12 @@ impl<F: Format, D> Frame<'_, F, D> {
         D: Supplies<A>,
     {
         let row = self.held_row(y);
-        let start = row.wrapping_mul(self.stride);
-        let (left, right) = (left as usize, right as usize);
-        let pixels = self.pixels.get_mut(start.wrapping_add(left)..start.wrapping_add(right))?;
-        Some((pixels, self.depth.cells(row, left, right)?))
+        let start = row.wrapping_mul(self.stride).wrapping_add(left as usize);
+        let length = right.wrapping_sub(left) as usize;
+        // Two steps: a range would have its order checked besides its end.
+        let pixels = self.pixels.get_mut(start..)?.get_mut(..length)?;
+        let cells = self.depth.cells(row, left as usize, length)?;
+        Some((pixels, cells))
     }
 }
 
@@ -296,8 +299,8 @@ impl<F: Format> Frame<'_, F, DepthBuffer<'_>> {
         }
         for y in area.top..area.bottom {
             let row = self.held_row(y);
-            let (left, right) = (area.left as usize, area.right as usize);
-            if let Some(cells) = Supplies::<super::ReadWrite>::cells(&mut self.depth, row, left, right)
+            let (left, length) = (area.left as usize, area.width() as usize);
+            if let Some(cells) = Supplies::<super::ReadWrite>::cells(&mut self.depth, row, left, length)
             {
                 fill_words(cells, code, word);
             }

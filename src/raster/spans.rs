@@ -103,7 +103,7 @@ impl Sorted<'_> {
             (edge(middle, low, start), end)
         };
         let (mut left, mut right) = if long_is_right { (short, long) } else { (long, short) };
-        let mut y = start;
+        let (mut y, mut taken) = (start, 0_usize);
         loop {
             while y < stop {
                 let first = left.column().wrapping_add(origin);
@@ -112,11 +112,17 @@ impl Sorted<'_> {
                 right.step();
                 let (from, to) = (first.max(area.left), last.min(area.right));
                 if from < to {
-                    batch.push(Span { y, first, left: from, right: to });
+                    if let Some(span) = batch.spans.get_mut(taken) {
+                        *span = Span { y, first, left: from, right: to };
+                        taken = taken.wrapping_add(1);
+                    }
                 }
                 y = y.wrapping_add(1);
+                // Keeps the compiler from unrolling: four copies of this cost more than they save.
+                core::hint::black_box(());
             }
             if stop >= end {
+                batch.length = taken;
                 return;
             }
             // Over to the short side's second edge.
@@ -172,6 +178,7 @@ impl SpanWalk for Spans {
                 self.long.step();
                 self.short.step();
                 self.y = self.y.wrapping_add(1);
+                core::hint::black_box(());
             }
             if self.y >= self.turn {
                 if self.turn >= self.end {

@@ -16,9 +16,24 @@
 /// ```
 #[must_use]
 pub fn fnv1a64(bytes: &[u8]) -> u64 {
-    const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
+    fnv1a64_after(FNV1A64_START, bytes)
+}
+
+/// The hash of no bytes at all: where [`fnv1a64_after`] begins.
+pub const FNV1A64_START: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// The hash of all bytes so far, whose hash is `hash`, and of `bytes` after them: for a sequence of
+/// pictures, or bands of one.
+///
+/// ```
+/// use microraster::host::{fnv1a64, fnv1a64_after};
+///
+/// assert_eq!(fnv1a64_after(fnv1a64(b"foo"), b"bar"), fnv1a64(b"foobar"));
+/// ```
+#[must_use]
+pub fn fnv1a64_after(hash: u64, bytes: &[u8]) -> u64 {
     const PRIME: u64 = 0x0000_0100_0000_01b3;
-    bytes.iter().fold(OFFSET_BASIS, |hash, &byte| {
+    bytes.iter().fold(hash, |hash, &byte| {
         (hash ^ u64::from(byte)).wrapping_mul(PRIME)
     })
 }

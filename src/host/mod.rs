@@ -3,7 +3,7 @@
 //! | what | type |
 //! | --- | --- |
 //! | pictures out | [`Tga`], written whole or not at all by [`AtomicFile`] |
-//! | models in | [`Model`] from `.asc`, and from `.obj` with feature `tools` |
+//! | models in | [`Model`] from `.asc`, from `.obj` with feature `tools`, and the bundled teapot |
 //! | the name of a picture | [`fnv1a64`] |
 //!
 //! Nothing here is part of a firmware: every item takes `std`, allocates, and reads or writes
@@ -16,6 +16,6 @@ mod model;
 mod tga;
 
 pub use atomic_file::AtomicFile;
-pub use hash::fnv1a64;
+pub use hash::{fnv1a64, fnv1a64_after, FNV1A64_START};
 pub use model::{Bounds, Corner, Group, Material, Model, ModelError, ModelWarning};
 pub use tga::{Tga, TgaDepth, TgaError, TgaOrigin};

@@ -10,12 +10,14 @@ mod lines;
 mod material;
 #[cfg(feature = "tools")]
 mod mtl;
+mod newell;
 #[cfg(feature = "tools")]
 mod obj;
 #[cfg(feature = "tools")]
 mod obj_checker;
 #[cfg(feature = "tools")]
 mod obj_text;
+mod teapot;
 #[cfg(feature = "tools")]
 mod triangulate;
 mod vector;

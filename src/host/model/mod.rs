@@ -4,6 +4,8 @@ mod asc;
 mod bounds;
 mod builder;
 mod corner;
+#[cfg(feature = "tools")]
+mod corner_grid;
 mod error;
 mod group;
 mod lines;

@@ -1,5 +1,6 @@
 //! Faces of any number of corners become triangles.
 
+use super::corner_grid::CornerGrid;
 use super::vector::{add, cross, sub, wide, Vector};
 use std::prelude::rust_2021::*;
 
@@ -18,8 +19,9 @@ pub(super) struct Triangulator {
     /// The corners that are left: those before and after each.
     before: Vec<usize>,
     after: Vec<usize>,
-    /// Corners that may lie in an ear.
-    reflex: Vec<usize>,
+    /// Corners that may lie in an ear: those that turn right at the beginning, for cutting an ear
+    /// only narrows the corners beside it.
+    reflex: CornerGrid,
     triangles: Vec<[usize; 3]>,
     /// How many more corners are compared with ears.
     budget: usize,
@@ -37,15 +39,15 @@ enum Ear {
 }
 
 impl Triangulator {
-    /// What all faces of a model may cost together, in comparisons: some seconds.
-    const BUDGET: usize = 1 << 30;
+    /// What all faces of a model may cost together, in comparisons: about two seconds.
+    const BUDGET: usize = 1 << 28;
 
     pub(super) fn new() -> Self {
         Self {
             plane: Vec::new(),
             before: Vec::new(),
             after: Vec::new(),
-            reflex: Vec::new(),
+            reflex: CornerGrid::default(),
             triangles: Vec::new(),
             budget: Self::BUDGET,
         }
@@ -113,10 +115,9 @@ impl Triangulator {
             .extend((0..corners).map(|i| (i + corners - 1) % corners));
         self.after.clear();
         self.after.extend((0..corners).map(|i| (i + 1) % corners));
-        let mut reflex = core::mem::take(&mut self.reflex);
-        reflex.clear();
-        reflex.extend((0..corners).filter(|&corner| self.turn_at(corner) <= 0.0));
-        self.reflex = reflex;
+        let reflex = (0..corners).filter(|&corner| self.turn_at(corner) <= 0.0);
+        let reflex = Vec::from_iter(reflex);
+        self.reflex.fill(&self.plane, &reflex);
 
         let (mut left, mut corner, mut failures) = (corners, 0, 0);
         let mut ear = Ear::Proper;
@@ -155,21 +156,27 @@ impl Triangulator {
             Ear::Flat => turn >= 0.0,
             Ear::Any => true,
         };
+        // Out of budget, cut whatever comes.
         if !shape || ear == Ear::Any || self.budget == 0 {
-            return shape;
+            return shape || self.budget == 0;
         }
-        self.budget = self.budget.saturating_sub(self.reflex.len() + 1);
         let [a, b, c] = [self.before_of(corner), corner, self.after_of(corner)].map(|i| self.at(i));
-        !self.reflex.iter().any(|&other| {
-            let p = self.at(other);
-            let is_left = self.after_of(other) != other;
-            // A corner in the place of one of the ear's is a seam, no obstacle.
-            is_left
-                && ![a, b, c].iter().any(|&corner| is_same(p, corner))
-                && turn_of(a, b, p) >= 0.0
-                && turn_of(b, c, p) >= 0.0
-                && turn_of(c, a, p) >= 0.0
-        })
+        let mut cost = 1;
+        let is_empty = self.reflex.around([a, b, c]).all(|row| {
+            cost += 1 + row.len();
+            !row.iter().any(|&other| {
+                let p = self.at(other);
+                let is_left = self.after_of(other) != other;
+                // A corner in the place of one of the ear's is a seam, no obstacle.
+                is_left
+                    && ![a, b, c].iter().any(|&corner| is_same(p, corner))
+                    && turn_of(a, b, p) >= 0.0
+                    && turn_of(b, c, p) >= 0.0
+                    && turn_of(c, a, p) >= 0.0
+            })
+        });
+        self.budget = self.budget.saturating_sub(cost);
+        is_empty
     }
 
     fn turn_at(&self, corner: usize) -> f64 {
@@ -319,5 +326,32 @@ mod tests {
                 .collect();
             assert_joined(corners, triangulator.triangles(&polygon));
         }
+    }
+
+    #[test]
+    fn long_stars_keep_their_area() {
+        let mut state = 1_u32;
+        let mut random = move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 16) as f32 / 65536.0
+        };
+        let mut triangulator = Triangulator::new();
+        for corners in [5, 30, 300, 5000] {
+            let polygon: Vec<[f32; 3]> = (0..corners)
+                .map(|i| {
+                    let angle = i as f32 / corners as f32 * core::f32::consts::TAU;
+                    let radius = 1.0 + 9.0 * random();
+                    [radius * angle.cos(), radius * angle.sin(), 0.0]
+                })
+                .collect();
+            let triangles = triangulator.triangles(&polygon);
+            assert_joined(corners, triangles);
+            let (sum, size) = area(&polygon, triangles);
+            assert!((sum - size).abs() < 1e-9, "{corners}: no part twice");
+        }
+        assert!(
+            !triangulator.is_exhausted(),
+            "no face here is too intricate"
+        );
     }
 }

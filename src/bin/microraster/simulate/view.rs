@@ -34,6 +34,9 @@ impl<'a> View<'a> {
     /// How much of the height the model fills.
     const FILL: f64 = 0.8;
 
+    /// How much of the width it may fill; wide models are seen from further away.
+    const FILL_ACROSS: f64 = 0.95;
+
     /// The nearest that a point of the model comes to the camera, in radii of the model.
     const NEAREST: f64 = 0.25;
 
@@ -105,10 +108,11 @@ impl<'a> View<'a> {
     }
 
     /// The least distance from which every point lies within [`FILL`](Self::FILL) of the height
-    /// and of the width.
+    /// and [`FILL_ACROSS`](Self::FILL_ACROSS) of the width.
     fn fitting(&self, size: PictureSize) -> f64 {
         let up = Self::FILL * Self::HALF_FIELD.tan();
-        let across = up * f64::from(size.width) / f64::from(size.height);
+        let aspect = f64::from(size.width) / f64::from(size.height);
+        let across = Self::FILL_ACROSS * Self::HALF_FIELD.tan() * aspect;
         self.placed()
             .map(|[x, y, z]| {
                 let room = (y.abs() / up).max(x.abs() / across);

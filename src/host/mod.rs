@@ -1,1 +1,21 @@
 //! The host shim: what needs an operating system.
+//!
+//! | what | type |
+//! | --- | --- |
+//! | pictures out | [`Tga`], written whole or not at all by [`AtomicFile`] |
+//! | models in | [`Model`] from `.asc`, from `.obj` with feature `tools`, and the bundled teapot |
+//! | the name of a picture | [`fnv1a64`] |
+//!
+//! Nothing here is part of a firmware: every item takes `std`, allocates, and reads or writes
+//! files. All input is taken as hostile: it ends in a value or in an error that names the file,
+//! the line and what to do.
+
+mod atomic_file;
+mod hash;
+mod model;
+mod tga;
+
+pub use atomic_file::AtomicFile;
+pub use hash::{fnv1a64, fnv1a64_after, FNV1A64_START};
+pub use model::{Bounds, Corner, Group, Material, Model, ModelError, ModelWarning};
+pub use tga::{Tga, TgaDepth, TgaError, TgaOrigin};

@@ -1,32 +1,37 @@
-//! The host program: `firmware` draws scenes as firmware and compares them with the host's.
+//! The host program: `simulate` draws a model into a picture file, `firmware` draws scenes as
+//! firmware and compares them with the host's.
 
 mod firmware;
+mod simulate;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
-/// Exact, lean 3D rendering for microcontroller displays.
+/// Exact, lean 3D rendering for microcontroller displays: the host side.
 #[derive(Debug, Parser)]
-#[command(version)]
+#[command(name = "microraster", version)]
 struct Program {
+    /// What to do.
     #[command(subcommand)]
     command: Command,
 }
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Simulate(simulate::Arguments),
     /// Draw the scenes as firmware under QEMU and compare every frame with the host's.
     Firmware(firmware::Arguments),
 }
 
 fn main() -> ExitCode {
     let outcome = match Program::parse().command {
+        Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
-            eprintln!("error: {message}");
+            eprintln!("microraster: {message}");
             ExitCode::FAILURE
         }
     }

@@ -37,7 +37,7 @@ const TURNS_PER_DEGREE: [u32; 8] = {
     let mut i = 0;
     while i < 6 {
         remainder <<= 32;
-        words[i] = (remainder / 360 % (1 << 32)) as u32;
+        words[i] = ((remainder / 360) & 0xFFFF_FFFF) as u32;
         remainder %= 360;
         i += 1;
     }

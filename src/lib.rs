@@ -6,6 +6,7 @@
 extern crate std;
 
 pub mod math;
+pub mod models;
 
 #[cfg(feature = "std")]
 pub mod host;

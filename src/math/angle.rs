@@ -133,7 +133,7 @@ impl Angle {
     ///
     /// # Cost
     ///
-    /// Twelve 32 x 32 bit products and two conversions to float; no tables, no float arithmetic
+    /// Eleven 32 x 32 bit products and two conversions to float; no tables, no float arithmetic
     /// but scaling by a power of two.
     #[must_use]
     pub const fn sin_cos(self) -> (f32, f32) {

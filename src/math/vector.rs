@@ -78,7 +78,7 @@ macro_rules! vector_operations {
             ///
             /// # Cost
             ///
-            /// A [`sqrt`](crate::math::sqrt).
+            /// A [`sqrt`](crate::math::sqrt()).
             #[must_use]
             pub fn length(self) -> f32 {
                 let largest = self.largest_magnitude();

@@ -153,22 +153,22 @@ fn left_and_right_are_mirror_images() {
 }
 
 #[test]
-fn no_triangle_is_degenerate_and_all_face_the_way_of_their_normals() {
+fn no_triangle_is_degenerate_and_faces_agree_with_their_normals() {
     let positions = positions();
+    let mut exceptions = 0;
     for corners in triangles() {
         let [a, b, c] = corners.map(|i| positions[i]);
         let face = cross(minus(b, a), minus(c, a));
         assert!(dot(face, face) > 0.0, "{corners:?}");
-        for i in corners {
-            let cosine = dot(unit(face), unit(TEAPOT_NORMALS[i].map(f64::from)));
-            if cosine < 0.3 {
-                std::println!(
-                    "{cosine} {corners:?} {a:?} {b:?} {c:?} {:?}",
-                    TEAPOT_NORMALS[i]
-                );
-            }
+
+        let cosine = |i: usize| dot(unit(face), unit(TEAPOT_NORMALS[i].map(f64::from)));
+        if corners.into_iter().map(cosine).fold(1.0, f64::min) < 0.25 {
+            // The lip of the spout curls over within one cell: no triangle can follow it.
+            assert!(a[0] > 3.3 && b[0] > 3.3 && c[0] > 3.3, "{corners:?}");
+            exceptions += 1;
         }
     }
+    assert_eq!(exceptions, 4);
 }
 
 #[test]

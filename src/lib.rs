@@ -8,6 +8,7 @@ extern crate std;
 pub mod color;
 pub mod frame;
 pub mod math;
+pub mod models;
 pub mod pipeline;
 pub mod raster;
 pub mod scene;

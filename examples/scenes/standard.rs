@@ -5,6 +5,7 @@
 //! (-0.3, -0.6, -1), 0.2 ambient and 0.8 diffuse.
 
 use microraster::math::{Angle, Mat4, Vec3};
+use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_POSITIONS};
 use microraster::raster::ScreenVertex;
 use microraster::{
     Camera, Cull, DepthBuffer, Flat, Frame, FrameError, Gouraud, Indices, Lambert, Less, Light,
@@ -18,7 +19,7 @@ const SIZE: Size = Size::new(320, 240);
 const BYTES: usize = ROOM * 2;
 
 /// The list.
-pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 8] {
+pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 10] {
     let scene = |name, frames, bunny, draw| Scene {
         name,
         group: Group::Standard,
@@ -33,6 +34,8 @@ pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 8] {
         scene("F3", 1, false, f3::<P>),
         scene("S1", 1, false, s1::<P>),
         scene("S1-raster", 1, false, s1_raster::<P>),
+        scene("M1-teapot", 16, false, m1_teapot::<P>),
+        scene("M2-teapot", 16, false, m2_teapot::<P>),
         scene("M1-bunny", 16, true, m1_bunny::<P>),
         scene("M2-bunny", 16, true, m2_bunny::<P>),
     ]
@@ -103,7 +106,7 @@ fn f1<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
         let (camera, quad) = (camera(), quad());
         let shader = Flat::solid(Rgb::new(255, 128, 0));
         measured!(probe, Pass::new(&camera), |pass| pass
-            .draw(&mut frame, &Mat4::IDENTITY, &quad, &shader));
+            .draw(&mut frame, &Mat4::identity(), &quad, &shader));
     }
     facts(2)
 }
@@ -114,7 +117,7 @@ fn f2<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
         let (camera, quad) = (camera(), quad());
         let shader = Flat::solid(Rgb::new(255, 128, 0));
         measured!(probe, Pass::new(&camera).depth(Less), |pass| pass
-            .draw(&mut frame, &Mat4::IDENTITY, &quad, &shader));
+            .draw(&mut frame, &Mat4::identity(), &quad, &shader));
     }
     facts(2)
 }
@@ -125,7 +128,7 @@ fn f3<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
         let (camera, quad) = (camera(), quad());
         let shader = Gouraud::colored();
         measured!(probe, Pass::new(&camera).depth(Less), |pass| pass
-            .draw(&mut frame, &Mat4::IDENTITY, &quad, &shader));
+            .draw(&mut frame, &Mat4::identity(), &quad, &shader));
     }
     facts(2)
 }
@@ -146,7 +149,7 @@ fn s1<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
         let shader = Flat::colored();
         measured!(probe, Pass::new(&camera).depth(Less), |pass| pass.draw_cached(
             &mut frame,
-            &Mat4::IDENTITY,
+            &Mat4::identity(),
             &mesh,
             &shader,
             cache
@@ -161,15 +164,16 @@ fn s1_raster<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Fac
         let shader = Flat::colored();
         measured!(probe, ScreenPass::new().depth(Less), |pass| {
             for row in 0..grid::ROWS as i32 {
-                for column in 0..grid::COLUMNS as i32 {
-                    let (x, y) = (column * 32, row * 32);
+                let mut triangles = [Default::default(); 2 * grid::COLUMNS];
+                for (column, pair) in triangles.chunks_exact_mut(2).enumerate() {
+                    let (x, y) = (column as i32 * 32, row * 32);
                     let color = Rgb::new(column as u8, row as u8, 128).into();
                     let corner =
                         |dx: i32, dy: i32| (ScreenVertex::from_bits(x + dx, y + dy, 30_000), color);
                     let [a, b, c, d] = [corner(0, 0), corner(32, 0), corner(32, 32), corner(0, 32)];
-                    pass.triangle(&mut frame, &shader, &[a, c, b]);
-                    pass.triangle(&mut frame, &shader, &[a, d, c]);
+                    pair.copy_from_slice(&[[a, c, b], [a, d, c]]);
                 }
+                pass.triangles(&mut frame, &shader, &triangles);
             }
         });
     }
@@ -231,6 +235,18 @@ fn bunny<'a>(stage: &Stage<'a>) -> Mesh<'a, Normal> {
     stage.bunny.map_or(Mesh::new(&[], &[]), |model| {
         fitted(model.positions, model.normals, model.indices)
     })
+}
+
+fn teapot() -> Mesh<'static, Normal> {
+    fitted(&TEAPOT_POSITIONS, &TEAPOT_NORMALS, &TEAPOT_INDICES)
+}
+
+fn m1_teapot<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
+    Turning { mesh: teapot(), frame }.draw(stage, probe, &Gouraud::new(light()))
+}
+
+fn m2_teapot<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
+    Turning { mesh: teapot(), frame }.draw(stage, probe, &Flat::new(light()))
 }
 
 fn m1_bunny<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {

@@ -87,29 +87,45 @@ impl<S: State> ScreenPass<S> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let [(a, p), (b, q), (c, r)] = corners;
-        let (_, counter) = self.state.parts();
-        counter.event(Event::Triangle);
-        let vertices = [*a, *b, *c];
-        if !Triangle::in_range(&vertices, frame.picture()) {
-            counter.event(Event::Skipped);
-            return;
-        }
-        let triangle = Triangle::oriented(vertices);
-        let Some(triangle) = &triangle else {
-            counter.event(Event::Degenerate);
-            return;
-        };
-        let signed = if triangle.flipped { -1 } else { 1 };
-        if self.cull.drops(signed, self.front) {
-            counter.event(Event::Culled);
-            return;
-        }
+        self.triangles(frame, shader, core::slice::from_ref(corners));
+    }
+
+    /// Draws triangles one after the other: cheaper than one call for each.
+    pub fn triangles<'t, H, F, D>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        shader: &H,
+        triangles: impl IntoIterator<Item = &'t [(ScreenVertex, Corner<H::Varying>); 3]>,
+    ) where
+        H: Shader,
+        H::Varying: 't,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
-        self.state.traversal().start(&mut walk, triangle, frame.scissor(), &mut batch);
-        if batch.is_empty() {
-            self.state.parts().1.event(Event::Outside);
-        } else {
+        for [(a, p), (b, q), (c, r)] in triangles {
+            let (_, counter) = self.state.parts();
+            counter.event(Event::Triangle);
+            let vertices = [*a, *b, *c];
+            if !Triangle::in_range(&vertices, frame.picture()) {
+                counter.event(Event::Skipped);
+                continue;
+            }
+            let triangle = Triangle::oriented(vertices);
+            let Some(triangle) = &triangle else {
+                counter.event(Event::Degenerate);
+                continue;
+            };
+            let signed = if triangle.flipped { -1 } else { 1 };
+            if self.cull.drops(signed, self.front) {
+                counter.event(Event::Culled);
+                continue;
+            }
+            self.state.traversal().start(&mut walk, triangle, frame.scissor(), &mut batch);
+            if batch.is_empty() {
+                self.state.parts().1.event(Event::Outside);
+                continue;
+            }
             self.state.parts().1.event(Event::Drawn);
             let ordered = if triangle.flipped { [p, r, q] } else { [p, q, r] };
             Fill { triangle, corners: ordered, provoking: p }

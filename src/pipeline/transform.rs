@@ -64,8 +64,7 @@ impl Transform {
     /// `near` is given where clip z is that constant; `far` says whether z' < 0 is cut off
     /// otherwise. `None` for a matrix that is not finite, or all zero.
     pub(crate) fn new(matrix: &Mat4, near: Option<f32>, far: bool) -> Option<Self> {
-        let rows = matrix.rows();
-        let [x, y, z, w] = rows;
+        let [x, y, z, w] = matrix.transpose().to_columns();
         // The largest coordinate that any position can reach, with room for rounding.
         let mut largest = 0.0_f32;
         for row in [x, y, w].iter().chain(near.is_none().then_some(&z)) {

@@ -14,7 +14,7 @@ enum Lens {
 /// near, at w = near, and falls towards 0 with distance.
 ///
 /// ```
-/// use microraster::math::{Degrees, Vec3};
+/// use microraster::math::{AngleUnits, Vec3};
 /// use microraster::Camera;
 ///
 /// let camera = Camera::perspective(45.0.degrees(), 0.5)
@@ -32,7 +32,7 @@ impl Camera {
     /// Nothing is too far to be seen. The depth resolution at distance d is d^2 / (65531 near).
     pub const fn perspective(field_of_view: Angle, near: f32) -> Self {
         Self {
-            view: Mat4::IDENTITY,
+            view: Mat4::identity(),
             lens: Lens::Perspective { field_of_view, near, far: None },
         }
     }
@@ -40,13 +40,13 @@ impl Camera {
     /// A camera without perspective: the height of what it sees, and the distances between which
     /// it sees.
     pub const fn orthographic(height: f32, near: f32, far: f32) -> Self {
-        Self { view: Mat4::IDENTITY, lens: Lens::Orthographic { height, near, far } }
+        Self { view: Mat4::identity(), lens: Lens::Orthographic { height, near, far } }
     }
 
     /// A camera with a projection matrix of your own: clip z / w must be 1 at the near plane and
     /// 0 at the far one. It is used as it stands, whatever the viewport's aspect.
     pub const fn custom(projection: Mat4) -> Self {
-        Self { view: Mat4::IDENTITY, lens: Lens::Custom(projection) }
+        Self { view: Mat4::identity(), lens: Lens::Custom(projection) }
     }
 
     /// Cuts off what is farther than `far`. Changes a perspective camera only.

@@ -1,0 +1,332 @@
+use super::{Angle, Vec3, Vec4};
+use core::ops::Mul;
+
+/// A matrix of 4 x 4 floats, for column vectors: `m * v` transforms `v`, and `a * b` is the
+/// transform that does `b` first.
+///
+/// Stored as four columns: for an affine transform `x`, `y` and `z` are what becomes of the three
+/// axes, and `w` is where the origin goes. In memory the sixteen numbers of
+/// [`to_columns`](Self::to_columns) lie as in OpenGL and glTF; written on paper, each column stands
+/// upright.
+///
+/// ```
+/// use microraster::math::{AngleUnits, Mat4, Vec3};
+///
+/// let lift = Mat4::translation(Vec3::new(0.0, 2.0, 0.0));
+/// let turn = Mat4::rotation_z(90.0.degrees());
+/// assert_eq!((lift * turn).transform_point(Vec3::X), Vec3::new(0.0, 3.0, 0.0));
+/// assert_eq!((lift * turn).transform_vector(Vec3::X), Vec3::Y);
+/// ```
+///
+/// # Rounding
+///
+/// Every product and sum rounds once, in the order written: the bits are the same on every target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mat4 {
+    /// The first column: what becomes of the x axis.
+    pub x: Vec4,
+    /// The second column: what becomes of the y axis.
+    pub y: Vec4,
+    /// The third column: what becomes of the z axis.
+    pub z: Vec4,
+    /// The fourth column: what becomes of the origin.
+    pub w: Vec4,
+}
+
+impl Default for Mat4 {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
+impl Mat4 {
+    /// Changes nothing.
+    pub const IDENTITY: Self = Self::from_columns(Vec4::X, Vec4::Y, Vec4::Z, Vec4::W);
+
+    /// Changes nothing; the same as [`Self::IDENTITY`].
+    #[must_use]
+    pub const fn identity() -> Self {
+        Self::IDENTITY
+    }
+
+    /// From four columns.
+    #[must_use]
+    pub const fn from_columns(x: Vec4, y: Vec4, z: Vec4, w: Vec4) -> Self {
+        Self { x, y, z, w }
+    }
+
+    /// From four rows, the way a matrix is printed.
+    #[must_use]
+    pub const fn from_rows(x: Vec4, y: Vec4, z: Vec4, w: Vec4) -> Self {
+        Self::from_columns(x, y, z, w).transpose()
+    }
+
+    /// The four columns.
+    #[must_use]
+    pub const fn to_columns(self) -> [[f32; 4]; 4] {
+        [
+            self.x.to_array(),
+            self.y.to_array(),
+            self.z.to_array(),
+            self.w.to_array(),
+        ]
+    }
+
+    /// Rows and columns exchanged.
+    #[must_use]
+    pub const fn transpose(self) -> Self {
+        let Self { x, y, z, w } = self;
+        Self::from_columns(
+            Vec4::new(x.x, y.x, z.x, w.x),
+            Vec4::new(x.y, y.y, z.y, w.y),
+            Vec4::new(x.z, y.z, z.z, w.z),
+            Vec4::new(x.w, y.w, z.w, w.w),
+        )
+    }
+
+    /// Moves points by `offset`.
+    #[must_use]
+    pub const fn translation(offset: Vec3) -> Self {
+        Self {
+            w: offset.extend(1.0),
+            ..Self::IDENTITY
+        }
+    }
+
+    /// Scales each axis by its factor.
+    #[must_use]
+    pub const fn scale(factors: Vec3) -> Self {
+        Self::from_columns(
+            Vec4::new(factors.x, 0.0, 0.0, 0.0),
+            Vec4::new(0.0, factors.y, 0.0, 0.0),
+            Vec4::new(0.0, 0.0, factors.z, 0.0),
+            Vec4::W,
+        )
+    }
+
+    /// Turns about the x axis, y towards z: counter-clockwise seen from the axis' positive end.
+    #[must_use]
+    pub fn rotation_x(angle: Angle) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        Self {
+            y: Vec4::new(0.0, cosine, sine, 0.0),
+            z: Vec4::new(0.0, 0.0 - sine, cosine, 0.0),
+            ..Self::IDENTITY
+        }
+    }
+
+    /// Turns about the y axis, z towards x: counter-clockwise seen from the axis' positive end.
+    #[must_use]
+    pub fn rotation_y(angle: Angle) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        Self {
+            x: Vec4::new(cosine, 0.0, 0.0 - sine, 0.0),
+            z: Vec4::new(sine, 0.0, cosine, 0.0),
+            ..Self::IDENTITY
+        }
+    }
+
+    /// Turns about the z axis, x towards y: counter-clockwise seen from the axis' positive end.
+    #[must_use]
+    pub fn rotation_z(angle: Angle) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        Self {
+            x: Vec4::new(cosine, sine, 0.0, 0.0),
+            y: Vec4::new(0.0 - sine, cosine, 0.0, 0.0),
+            ..Self::IDENTITY
+        }
+    }
+
+    /// Turns about an axis through the origin, counter-clockwise seen from its positive end
+    /// (Rodrigues' formula).
+    ///
+    /// # Range
+    ///
+    /// The axis may be of any length; if it has no direction (see [`Vec3::normalize`]), nothing
+    /// turns.
+    #[must_use]
+    pub fn rotation(axis: Vec3, angle: Angle) -> Self {
+        let axis = axis.normalize();
+        if axis == Vec3::ZERO {
+            return Self::IDENTITY;
+        }
+        let (sine, cosine) = angle.sin_cos();
+        let turned = |v: Vec3| {
+            (v * cosine + axis.cross(v) * sine + axis * (axis.dot(v) * (1.0 - cosine))).extend(0.0)
+        };
+        Self::from_columns(turned(Vec3::X), turned(Vec3::Y), turned(Vec3::Z), Vec4::W)
+    }
+
+    /// The product with a point: w is taken as 1 and not computed.
+    ///
+    /// # Range
+    ///
+    /// For affine transforms; projections need the whole [`Vec4`] and [`Vec4::project`].
+    #[must_use]
+    pub fn transform_point(self, point: Vec3) -> Vec3 {
+        self.transform_vector(point) + self.w.truncate()
+    }
+
+    /// The product with a direction: translation does not move it.
+    #[must_use]
+    pub fn transform_vector(self, vector: Vec3) -> Vec3 {
+        self.x.truncate() * vector.x + self.y.truncate() * vector.y + self.z.truncate() * vector.z
+    }
+
+    /// The factor by which the transform enlarges volumes, negative if it mirrors.
+    #[must_use]
+    pub fn determinant(self) -> f32 {
+        let (upper, lower) = self.minors();
+        Self::determinant_of(upper, lower)
+    }
+
+    /// The transform that undoes this one, from the 2 x 2 minors (Laplace expansion).
+    ///
+    /// # Errors
+    ///
+    /// `None` if there is none in floats: the determinant is zero or so small (2.9e-39, a uniform
+    /// scale of 1.4e-13) that its reciprocal is infinite, or an element of the result is not finite.
+    ///
+    /// # Rounding
+    ///
+    /// Elements are a few 2^-24 off, times the condition of the matrix; no pivoting.
+    ///
+    /// # Cost
+    ///
+    /// 94 multiplications, 49 additions, and one division.
+    #[must_use]
+    pub fn inverse(self) -> Option<Self> {
+        let (upper, lower) = self.minors();
+        let determinant = Self::determinant_of(upper, lower);
+        // NaN is not greater than zero either.
+        let invertible = determinant.abs() > 0.0;
+        if !invertible {
+            return None;
+        }
+        let reciprocal = 1.0 / determinant;
+        let Self { x, y, z, w } = self;
+        let ([u0, u1, u2, u3, u4, u5], [l0, l1, l2, l3, l4, l5]) = (upper, lower);
+
+        // The columns of the inverse are the cofactors of the rows.
+        let inverse = Self::from_columns(
+            Vec4::new(
+                y.y * l5 - z.y * l4 + w.y * l3,
+                z.y * l2 - x.y * l5 - w.y * l1,
+                x.y * l4 - y.y * l2 + w.y * l0,
+                y.y * l1 - x.y * l3 - z.y * l0,
+            ),
+            Vec4::new(
+                z.x * l4 - y.x * l5 - w.x * l3,
+                x.x * l5 - z.x * l2 + w.x * l1,
+                y.x * l2 - x.x * l4 - w.x * l0,
+                x.x * l3 - y.x * l1 + z.x * l0,
+            ),
+            Vec4::new(
+                y.w * u5 - z.w * u4 + w.w * u3,
+                z.w * u2 - x.w * u5 - w.w * u1,
+                x.w * u4 - y.w * u2 + w.w * u0,
+                y.w * u1 - x.w * u3 - z.w * u0,
+            ),
+            Vec4::new(
+                z.z * u4 - y.z * u5 - w.z * u3,
+                x.z * u5 - z.z * u2 + w.z * u1,
+                y.z * u2 - x.z * u4 - w.z * u0,
+                x.z * u3 - y.z * u1 + z.z * u0,
+            ),
+        );
+        let inverse = Self::from_columns(
+            inverse.x * reciprocal,
+            inverse.y * reciprocal,
+            inverse.z * reciprocal,
+            inverse.w * reciprocal,
+        );
+        inverse.is_finite().then_some(inverse)
+    }
+
+    /// Whether no element is infinite or NaN.
+    #[must_use]
+    pub const fn is_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.z.is_finite() && self.w.is_finite()
+    }
+
+    /// Makes a rotation of what was one: after many composed rotations the rounding errors add up,
+    /// and axes are neither of length 1 nor perpendicular any more (Gram and Schmidt's method).
+    ///
+    /// The first axis keeps its direction, the second its plane with the first, the third its
+    /// side, so that a mirroring transform stays one. Translation stays, scaling goes.
+    ///
+    /// # Range
+    ///
+    /// Where axes have vanished, coincide or are not finite, perpendicular ones are made up.
+    #[must_use]
+    pub fn orthonormalize(self) -> Self {
+        let (x, y, z) = (self.x.truncate(), self.y.truncate(), self.z.truncate());
+        let x = match x.normalize() {
+            Vec3::ZERO => y.any_perpendicular(),
+            unit => unit,
+        };
+        let y = y.normalize();
+        let y = match (y - x * x.dot(y)).normalize() {
+            Vec3::ZERO => x.any_perpendicular(),
+            unit => unit,
+        };
+        // A second subtraction removes what cancellation left of the first, for near-parallel axes.
+        let y = (y - x * x.dot(y)).normalize();
+        let third = x.cross(y);
+        let third = if third.dot(z) < 0.0 { -third } else { third };
+        Self::from_columns(x.extend(0.0), y.extend(0.0), third.extend(0.0), self.w)
+    }
+
+    /// The determinant, from the minors (Laplace expansion by the upper two rows).
+    fn determinant_of(upper: [f32; 6], lower: [f32; 6]) -> f32 {
+        let [u0, u1, u2, u3, u4, u5] = upper;
+        let [l0, l1, l2, l3, l4, l5] = lower;
+        u0 * l5 - u1 * l4 + u2 * l3 + u3 * l2 - u4 * l1 + u5 * l0
+    }
+
+    /// The determinants of all pairs of columns, in the order xy, xz, xw, yz, yw, zw: of the upper
+    /// two rows, and of the lower two.
+    fn minors(self) -> ([f32; 6], [f32; 6]) {
+        let Self { x, y, z, w } = self;
+        let upper = |a: Vec4, b: Vec4| a.x * b.y - a.y * b.x;
+        let lower = |a: Vec4, b: Vec4| a.z * b.w - a.w * b.z;
+        (
+            [
+                upper(x, y),
+                upper(x, z),
+                upper(x, w),
+                upper(y, z),
+                upper(y, w),
+                upper(z, w),
+            ],
+            [
+                lower(x, y),
+                lower(x, z),
+                lower(x, w),
+                lower(y, z),
+                lower(y, w),
+                lower(z, w),
+            ],
+        )
+    }
+}
+
+/// Does `other` first, then `self`.
+impl Mul for Mat4 {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::from_columns(
+            self * other.x,
+            self * other.y,
+            self * other.z,
+            self * other.w,
+        )
+    }
+}
+
+impl Mul<Vec4> for Mat4 {
+    type Output = Vec4;
+    fn mul(self, v: Vec4) -> Vec4 {
+        self.x * v.x + self.y * v.y + self.z * v.z + self.w * v.w
+    }
+}

@@ -1,0 +1,51 @@
+//! Vectors, matrices and angles, and the integer functions that stand for division and roots.
+//!
+//! Everything here gives the same bits on every target: floats are only added, subtracted,
+//! multiplied and divided, each operation rounding once in the order written, and all else is done
+//! in integers. Nothing panics, whatever the numbers, NaN and infinities included.
+//!
+//! Spaces are right-handed with y up; a camera looks along -z; pixels run down. Depth is reversed,
+//! 1 on the near plane. The functions named `..._fast` are less accurate on purpose and say by how
+//! much.
+//!
+//! ```
+//! use microraster::math::{AngleUnits, Mat4, Vec3};
+//!
+//! let view = Mat4::look_at(Vec3::new(0.0, 0.0, 4.0), Vec3::ZERO, Vec3::Y);
+//! let lens = Mat4::perspective(90.0.degrees(), 1.0, 0.5, None);
+//! let screen = Mat4::viewport(0.0, 0.0, 240.0, 240.0);
+//!
+//! let clip = lens * view * Vec3::new(1.0, 2.0, 0.0).extend(1.0);
+//! let pixel = screen.transform_point(clip.project());
+//! assert_eq!(pixel, Vec3::new(150.0, 60.0, 0.125));
+//! ```
+
+mod angle;
+mod angle_units;
+mod approximate;
+#[cfg(test)]
+pub(crate) mod hard_numbers;
+mod inverse_sqrt;
+mod mat4;
+#[cfg(test)]
+mod mat4_tests;
+mod projection;
+mod reciprocal;
+mod sqrt;
+mod trigonometry;
+mod vec2;
+mod vec3;
+mod vec4;
+mod vector;
+mod wide;
+
+pub use angle::Angle;
+pub use angle_units::AngleUnits;
+pub use inverse_sqrt::{inverse_sqrt, InverseSqrt};
+pub use mat4::Mat4;
+pub use reciprocal::{reciprocal, Reciprocal};
+pub use sqrt::sqrt;
+pub use vec2::Vec2;
+pub use vec3::Vec3;
+pub use vec4::Vec4;
+pub(crate) use wide::{mul_high, mul_high_signed, wide_product, BY_HALVES};

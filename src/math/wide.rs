@@ -1,0 +1,90 @@
+//! Products of 32-bit numbers to 64 bits.
+//!
+//! ARMv6-M multiplies to 32 bits only; there the compiler calls a routine for 64-bit factors,
+//! which costs twice what four products of halves do. The bits are the same everywhere.
+
+/// Whether long products are made of 16-bit halves. ARMv6-M is the one Arm profile without
+/// compare-and-swap, by which it is told here.
+pub(crate) const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
+/// The product of two numbers by their 16-bit halves: high and low word.
+#[inline(always)]
+const fn by_halves(a: u32, b: u32) -> (u32, u32) {
+    let (al, ah, bl, bh) = (a & 0xFFFF, a >> 16, b & 0xFFFF, b >> 16);
+    let low = al * bl;
+    // Neither sum overflows: (2^16 - 1)^2 + 2^16 - 1 < 2^32.
+    let middle = ah * bl + (low >> 16);
+    let other = al * bh + (middle & 0xFFFF);
+    (ah * bh + (middle >> 16) + (other >> 16), (other << 16) | (low & 0xFFFF))
+}
+
+/// The upper 32 bits of a product.
+#[inline(always)]
+pub(crate) const fn mul_high(a: u32, b: u32) -> u32 {
+    if BY_HALVES {
+        by_halves(a, b).0
+    } else {
+        ((a as u64 * b as u64) >> 32) as u32
+    }
+}
+
+/// The upper 32 bits of the product of a signed and an unsigned number, rounded down.
+///
+/// `b` must be below 2^31.
+#[inline(always)]
+pub(crate) const fn mul_high_signed(a: i32, b: u32) -> i32 {
+    if BY_HALVES {
+        // As unsigned, a negative number is 2^32 too large.
+        (by_halves(a as u32, b).0 as i32).wrapping_sub(a >> 31 & b as i32)
+    } else {
+        ((a as i64 * b as i32 as i64) >> 32) as i32
+    }
+}
+
+/// The product of a signed and an unsigned number.
+///
+/// `b` must be below 2^31.
+#[inline(always)]
+pub(crate) const fn wide_product(a: i32, b: u32) -> i64 {
+    if BY_HALVES {
+        let (high, low) = by_halves(a as u32, b);
+        let high = (high as i32).wrapping_sub(a >> 31 & b as i32);
+        (high as i64) << 32 | low as i64
+    } else {
+        a as i64 * b as i32 as i64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_by_halves_are_those_of_64_bits() {
+        let ends = [0, 1, 2, 0xFFFF, 0x1_0000, 0x1_0001, 0x7FFF_FFFF, 0x8000_0000, u32::MAX];
+        let mut state = 1_u32;
+        let mut next = || {
+            state = state.wrapping_mul(0x915F_77F5).wrapping_add(0x9E37_79B9);
+            state ^ (state >> 15)
+        };
+        let check = |a: u32, b: u32| {
+            let exact = u64::from(a) * u64::from(b);
+            let (high, low) = by_halves(a, b);
+            assert_eq!(u64::from(high) << 32 | u64::from(low), exact, "{a:x} x {b:x}");
+            let (signed, half) = (a as i32, b >> 1);
+            let exact = i64::from(signed) * i64::from(half);
+            let high = (by_halves(a, half).0 as i32).wrapping_sub(signed >> 31 & half as i32);
+            assert_eq!(i64::from(high), exact >> 32, "{signed} x {half:x}");
+            assert_eq!(mul_high_signed(signed, half), high, "{signed} x {half:x}");
+            assert_eq!(wide_product(signed, half), exact, "{signed} x {half:x}");
+        };
+        for a in ends {
+            for b in ends {
+                check(a, b);
+            }
+        }
+        for _ in 0..100_000 {
+            check(next(), next());
+        }
+    }
+}

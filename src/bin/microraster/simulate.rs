@@ -6,7 +6,7 @@ mod render;
 mod view;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use microraster::host::{fnv1a64_after, AtomicFile, Model, FNV1A64_START};
+use microraster::host::{fnv1a64_after, AtomicFile, MeshData, Model, FNV1A64_START};
 use options::{Cull, Format, PictureSize, Shade, Switch, Traversal};
 use picture::Picture;
 use std::io::{self, Write};
@@ -116,6 +116,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let (name, model) = load(arguments.model.as_deref())?;
     let views = View::all(arguments, &model)?;
 
+    let parts = MeshData::of_model(&model, arguments.shade == Shade::Flat);
+
     // Pictures stay under temporary names until all are complete.
     let bar = progress(paths.len());
     let mut facts = Facts::default();
@@ -123,9 +125,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     for (path, view) in paths.iter().zip(&views) {
         let mut picture = Picture::new(arguments.size, arguments.format);
         let start = Instant::now();
-        render::render(view, &mut picture);
-        facts.add(&picture, start.elapsed());
         let cannot = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+        render::render(view, &parts, &mut picture).map_err(|error| cannot(&error))?;
+        facts.add(&picture, start.elapsed());
         let mut file = AtomicFile::create(path).map_err(|error| cannot(&error))?;
         picture
             .write_tga(&mut file)

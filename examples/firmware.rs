@@ -7,10 +7,7 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
-#[allow(
-    dead_code,
-    reason = "the host asks the scenes more than the board does"
-)]
+#[allow(dead_code, reason = "the host asks the scenes more than the board does")]
 mod scenes;
 
 #[cfg(not(target_os = "none"))]
@@ -78,11 +75,7 @@ mod firmware {
             bunny: bunny(),
         };
         let empty = meter::instructions(|| ()).0;
-        let mut probe = Meter {
-            empty,
-            instructions: 0,
-            stack: 0,
-        };
+        let mut probe = Meter { empty, instructions: 0, stack: 0 };
         for scene in scenes::<Meter>() {
             if !words.split(' ').any(|word| word == scene.name) {
                 continue;

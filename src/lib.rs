@@ -23,6 +23,6 @@ pub use pipeline::{Clip, Cull, Pass, ScreenPass, VertexCache, Winding};
 pub use scene::{normal, Camera, Indices, Light, Mesh, Normal};
 pub use shade::{
     Always, AnyDepth, Coloring, Corner, Counter, Counting, DepthTest, DrawContext, Equal, Flat,
-    FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, NotEqual, Off, Row, Scalar,
-    Shader, SmoothColor, Solid, State, States, Stats, Uncounted, Varying, VertexColors,
+    FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, NotEqual, Off, Row,
+    Scalar, Shader, SmoothColor, Solid, State, States, Stats, Uncounted, Varying, VertexColors,
 };

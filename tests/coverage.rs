@@ -2,7 +2,9 @@
 
 mod support;
 
-use microraster::raster::{Scanline, ScreenVertex, SpanBatch, SpanWalk, Spans, Traversal, Triangle, GUARD};
+use microraster::raster::{
+    Scanline, ScreenVertex, SpanBatch, SpanWalk, Spans, Traversal, Triangle, GUARD,
+};
 use microraster::{Rect, Size};
 use support::{covers, Random};
 

@@ -26,11 +26,7 @@ fn loads(text: &str) -> Model {
 fn fails(text: &str, message: &str) {
     match obj(text) {
         Ok(_) => panic!("loads, but should fail: {text}"),
-        Err(error) => assert_eq!(
-            error.to_string(),
-            format!("no-folder/a.obj:{message}"),
-            "{text}"
-        ),
+        Err(error) => assert_eq!(error.to_string(), format!("no-folder/a.obj:{message}"), "{text}"),
     }
 }
 
@@ -63,10 +59,7 @@ fn lines_may_continue_and_end_in_any_way() {
     }
     let padded = loads(&format!("\0\0{TRIANGLE}f 1 2\0 3\0"));
     assert_eq!(padded.groups, plain.groups, "NUL bytes");
-    assert_eq!(
-        warnings(&padded),
-        ["no-folder/a.obj:1: NUL bytes are left out"]
-    );
+    assert_eq!(warnings(&padded), ["no-folder/a.obj:1: NUL bytes are left out"]);
 }
 
 #[test]
@@ -75,10 +68,7 @@ fn errors_name_the_line_and_what_to_do() {
         "v 1 2",
         "1: a position needs 3 numbers and has 2; complete the line; the file may be cut off",
     );
-    fails(
-        "v 1 \\\n x 3",
-        "1: \"x\" is no number; write it like -1.5 or 2e-3",
-    );
+    fails("v 1 \\\n x 3", "1: \"x\" is no number; write it like -1.5 or 2e-3");
     fails("\nvt", "2: a texture coordinate needs 1 numbers and has 0; complete the line; the file may be cut off");
     let missing = "correct the index, or move the face behind what it uses";
     fails(
@@ -111,10 +101,7 @@ fn errors_name_the_line_and_what_to_do() {
     fails("", &format!("1: {nothing}"));
     fails(&format!("{TRIANGLE}l 1 2 3"), &format!("4: {nothing}"));
     let wide = Model::read_obj(&b"\xff\xfev\0"[..], "a.obj").unwrap_err();
-    assert_eq!(
-        wide.to_string(),
-        "a.obj:1: the text is UTF-16; save the file as UTF-8"
-    );
+    assert_eq!(wide.to_string(), "a.obj:1: the text is UTF-16; save the file as UTF-8");
     let endless = Model::read_obj(std::io::BufReader::new(std::io::repeat(b'1')), "a.obj");
     assert_eq!(endless.unwrap_err().line, Some(1), "a line without end");
     let zeros = Model::read_obj(std::io::BufReader::new(std::io::repeat(0)), "a.obj");
@@ -142,23 +129,14 @@ fn what_is_not_drawn_is_left_out_with_a_warning() {
     );
     let many = loads(&format!("{TRIANGLE}f 1 2 3\n{}", "f 1\n".repeat(1000)));
     assert_eq!(many.warnings.len(), 65, "warnings are bounded");
-    assert_eq!(
-        many.warnings[64].to_string(),
-        "no-folder/a.obj: 936 more warnings"
-    );
+    assert_eq!(many.warnings[64].to_string(), "no-folder/a.obj: 936 more warnings");
 }
 
 #[test]
 fn faces_with_infinite_positions_are_left_out() {
     for bad in ["nan", "-inf", "1e39", "1.#IND", "-1.#INF"] {
-        let model = loads(&format!(
-            "{TRIANGLE}v 0 {bad} 0\nf 1 2 4\nf 1 2 3\nf 4 3 2 1"
-        ));
-        assert_eq!(
-            (model.triangle_count(), model.positions.len()),
-            (1, 3),
-            "{bad}"
-        );
+        let model = loads(&format!("{TRIANGLE}v 0 {bad} 0\nf 1 2 4\nf 1 2 3\nf 4 3 2 1"));
+        assert_eq!((model.triangle_count(), model.positions.len()), (1, 3), "{bad}");
         assert_eq!(
             warnings(&model),
             ["no-folder/a.obj:4: a position is infinite or no number; its faces are left out"]
@@ -180,10 +158,7 @@ fn missing_and_broken_normals_are_made() {
     let model = loads("v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 3\nf 1 3 2\nf 1 2 4");
     let shared = model.groups[0].triangles[0][0];
     let [x, y, z] = model.normals[shared.normal as usize];
-    assert!(
-        (x.abs() - 3.0 * z.abs()).abs() < 1e-6 && y.abs() < 1e-6,
-        "{x} {y} {z}"
-    );
+    assert!((x.abs() - 3.0 * z.abs()).abs() < 1e-6 && y.abs() < 1e-6, "{x} {y} {z}");
 
     // Coincident positions are one vertex: the seam is smooth.
     let seam = loads("v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 3\nv 0 0 0\nv 0 1 0\nf 1 3 2\nf 5 6 4");
@@ -200,11 +175,7 @@ fn missing_and_broken_normals_are_made() {
     // Normals and texture coordinates never leak from one corner to the next.
     let mixed = loads(&format!("{TRIANGLE}vn 1 0 0\nvt .5 .5\nf 1/1/1 2 3"));
     let [a, b, _] = mixed.groups[0].triangles[0];
-    assert_eq!(
-        (a.texture, b.texture),
-        (Some(0), None),
-        "only the first has one"
-    );
+    assert_eq!((a.texture, b.texture), (Some(0), None), "only the first has one");
     assert_ne!(a.normal, b.normal, "only the first has one");
     // No area at all, and nothing but opposite faces: still a normal.
     loads("v 5 5 5\nv 5 5 5\nv 5 5 5\nf 1 2 3");
@@ -238,27 +209,18 @@ fn a_concave_face_stays_inside_its_outline() {
             turn / 2.0
         })
         .sum();
-    assert_eq!(
-        area.to_bits(),
-        2.0_f32.to_bits(),
-        "the area of the arrow head"
-    );
+    assert_eq!(area.to_bits(), 2.0_f32.to_bits(), "the area of the arrow head");
 }
 
 #[test]
 fn the_soup_reads_and_complains_by_line() {
-    let model = asc(
-        "# two\ntriangle\n0 0 0 0 0 2 0 0\n1 0 0 0 0 0 1 0\n0 1 0 0 0 1 0 1 triangle\n\
-         1 0 0 0 0 1 1 0 1 1 0 0 0 1 1 1 0 1 0 0 0 1 0 1",
-    )
-    .unwrap();
+    let model =
+        asc("# two\ntriangle\n0 0 0 0 0 2 0 0\n1 0 0 0 0 0 1 0\n0 1 0 0 0 1 0 1 triangle\n\
+         1 0 0 0 0 1 1 0 1 1 0 0 0 1 1 1 0 1 0 0 0 1 0 1")
+        .unwrap();
     assert_sound(&model);
     assert_eq!(model.triangle_count(), 2, "two triangles");
-    assert_eq!(
-        (model.positions.len(), model.normals.len()),
-        (4, 1),
-        "shared corners are one"
-    );
+    assert_eq!((model.positions.len(), model.normals.len()), (4, 1), "shared corners are one");
     for (text, message) in [
         ("", "1: the file ends without a triangle; check that this is the file you meant"),
         ("\nquad", "2: \"quad\" stands where `triangle` should; begin each triangle with that word; 24 numbers follow it"),
@@ -295,21 +257,11 @@ fn materials_come_from_the_folder_and_from_nowhere_else() {
     let seen: Vec<_> = model
         .groups
         .iter()
-        .map(|g| {
-            (
-                g.material.name.as_str(),
-                g.material.diffuse_rgb8(),
-                g.triangles.len(),
-            )
-        })
+        .map(|g| (g.material.name.as_str(), g.material.diffuse_rgb8(), g.triangles.len()))
         .collect();
     assert_eq!(
         seen,
-        [
-            ("red", [255, 0, 0], 2),
-            ("grey # 5", [128; 3], 1),
-            ("hot", [255, 0, 51], 1)
-        ]
+        [("red", [255, 0, 0], 2), ("grey # 5", [128; 3], 1), ("hot", [255, 0, 51], 1)]
     );
     let texture = model.groups[0].material.texture.as_ref().unwrap();
     assert!(texture.ends_with("model/sub/my texture.png"), "{texture:?}");
@@ -326,20 +278,10 @@ fn materials_come_from_the_folder_and_from_nowhere_else() {
         "none.mtl",
     ] {
         let model = load(&format!("mtllib {library}"));
-        assert_eq!(
-            model.groups[0].material.diffuse_rgb8(),
-            [204; 3],
-            "{library}"
-        );
+        assert_eq!(model.groups[0].material.diffuse_rgb8(), [204; 3], "{library}");
         let first = model.warnings[0].to_string();
         assert!(first.contains("a.obj:1: "), "{library}: {first}");
     }
-    assert!(
-        Model::load(&folder)
-            .unwrap_err()
-            .reason
-            .contains("no regular file"),
-        "a folder"
-    );
+    assert!(Model::load(&folder).unwrap_err().reason.contains("no regular file"), "a folder");
     fs::remove_dir_all(&root).unwrap();
 }

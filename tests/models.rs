@@ -54,19 +54,13 @@ fn noise_ends_in_a_value_or_an_error() {
         "v 0 9 -4\n",
     ];
     for _ in 0..3000 {
-        let words: String = (0..random(60))
-            .map(|_| WORDS[random(WORDS.len())])
-            .collect();
+        let words: String = (0..random(60)).map(|_| WORDS[random(WORDS.len())]).collect();
         let read = [
             Model::read_obj(words.as_bytes(), "no-folder/a.obj"),
             Model::read_asc(words.as_bytes(), "a.asc"),
         ];
-        read.into_iter()
-            .flatten()
-            .for_each(|model| assert_sound(&model));
-        let bytes: Vec<u8> = (0..random(200))
-            .map(|_| random(256).to_le_bytes()[0])
-            .collect();
+        read.into_iter().flatten().for_each(|model| assert_sound(&model));
+        let bytes: Vec<u8> = (0..random(200)).map(|_| random(256).to_le_bytes()[0]).collect();
         let _ = Model::read_obj(&bytes[..], "a.obj");
         let _ = Model::read_asc(&bytes[..], "a.asc");
     }
@@ -82,10 +76,7 @@ fn collection() -> Option<PathBuf> {
         return Some(folder);
     }
     let message = format!("SKIPPED: no model collection at {}", folder.display());
-    assert!(
-        std::env::var_os("MICRORASTER_REQUIRE_SHARED").is_none(),
-        "{message}"
-    );
+    assert!(std::env::var_os("MICRORASTER_REQUIRE_SHARED").is_none(), "{message}");
     eprintln!("{message}");
     None
 }
@@ -149,10 +140,7 @@ fn every_file_of_the_collection_ends_in_a_model_or_a_line() {
         let name = path.file_name().unwrap().to_str().unwrap();
         let start = Instant::now();
         let result = Model::load(path);
-        assert!(
-            start.elapsed() < Duration::from_secs(10),
-            "{name}: too slow"
-        );
+        assert!(start.elapsed() < Duration::from_secs(10), "{name}: too slow");
         let refused = REFUSED.iter().find(|(refused, _)| *refused == name);
         match (result, refused) {
             (Ok(model), None) => {
@@ -164,11 +152,7 @@ fn every_file_of_the_collection_ends_in_a_model_or_a_line() {
                     assert_eq!(model.triangle_count(), triangles, "{name}: triangles");
                 }
                 if index < ordinary {
-                    assert_eq!(
-                        model.positions.len(),
-                        distinct_used(path),
-                        "{name}: positions"
-                    );
+                    assert_eq!(model.positions.len(), distinct_used(path), "{name}: positions");
                 }
             }
             (Err(error), Some(&(_, line))) => {
@@ -192,12 +176,8 @@ fn distinct_used(path: &Path) -> usize {
     for line in text.lines() {
         let mut words = line.split_whitespace();
         match words.next() {
-            Some("v") => positions.push(
-                words
-                    .take(3)
-                    .map(|w| (w.parse::<f32>().unwrap() + 0.0).to_bits())
-                    .collect(),
-            ),
+            Some("v") => positions
+                .push(words.take(3).map(|w| (w.parse::<f32>().unwrap() + 0.0).to_bits()).collect()),
             Some("f") => used.extend(words.map(|word| {
                 let index: isize = word.split('/').next().unwrap().parse().unwrap();
                 let at = match usize::try_from(index) {

@@ -35,9 +35,8 @@ impl Folder {
 
     fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.0).unwrap();
-        let mut names: Vec<_> = entries
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
     }
@@ -65,21 +64,10 @@ fn without_arguments_it_draws_the_teapot() {
     let folder = Folder::new("teapot");
     let facts = folder.facts(&[]);
     assert_eq!(facts.lines().count(), 1, "one line of facts: {facts}");
-    let names: Vec<_> = facts
-        .split_whitespace()
-        .filter_map(|w| w.split('=').next())
-        .collect();
+    let names: Vec<_> = facts.split_whitespace().filter_map(|w| w.split('=').next()).collect();
     assert_eq!(
         names,
-        [
-            "model",
-            "triangles",
-            "drawn",
-            "clipped",
-            "pixels",
-            "hash",
-            "ms"
-        ],
+        ["model", "triangles", "drawn", "clipped", "pixels", "hash", "ms"],
         "{facts}"
     );
     assert_eq!(fact(&facts, "model"), "teapot", "{facts}");
@@ -101,10 +89,8 @@ fn without_arguments_it_draws_the_teapot() {
 fn the_hash_is_that_of_the_colour_bytes() {
     let folder = Folder::new("hash");
     let facts = folder.facts(&["--format", "rgba8888", "--size", "64x48", "-o", "a.tga"]);
-    let bytes: Vec<u8> = pixels(&folder.0.join("a.tga"))
-        .pixels()
-        .flat_map(|pixel| pixel.0)
-        .collect();
+    let bytes: Vec<u8> =
+        pixels(&folder.0.join("a.tga")).pixels().flat_map(|pixel| pixel.0).collect();
     // What was not drawn has alpha 0 or 255 in memory; the file is opaque.
     let transparent: Vec<u8> = bytes
         .chunks_exact(4)
@@ -114,10 +100,7 @@ fn the_hash_is_that_of_the_colour_bytes() {
         })
         .collect();
     let hashes = [&bytes, &transparent].map(|bytes| format!("{:016x}", fnv1a64(bytes)));
-    assert!(
-        hashes.iter().any(|hash| hash == fact(&facts, "hash")),
-        "{facts} {hashes:?}"
-    );
+    assert!(hashes.iter().any(|hash| hash == fact(&facts, "hash")), "{facts} {hashes:?}");
 
     // Swapped bytes are another memory and the same picture.
     let plain = folder.facts(&["--size", "64x48", "-o", "b.tga"]);
@@ -137,9 +120,7 @@ fn frames_are_numbered_and_turn_once() {
     assert_eq!(facts.lines().count(), 1, "{facts}");
     let names: Vec<_> = (0..4).map(|i| format!("turn-00{i}.tga")).collect();
     assert_eq!(folder.names(), names, "four pictures");
-    folder.facts(&[
-        "--yaw", "120", "--frames", "4", "--size", "40x30", "-o", "late.tga",
-    ]);
+    folder.facts(&["--yaw", "120", "--frames", "4", "--size", "40x30", "-o", "late.tga"]);
     assert_eq!(
         pixels(&folder.0.join("turn-001.tga")),
         pixels(&folder.0.join("late-000.tga")),
@@ -150,11 +131,8 @@ fn frames_are_numbered_and_turn_once() {
 #[test]
 fn all_traversals_and_own_models_draw() {
     let folder = Folder::new("models");
-    fs::write(
-        folder.0.join("my model.obj"),
-        "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\nf 1 2\n",
-    )
-    .unwrap();
+    fs::write(folder.0.join("my model.obj"), "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\nf 1 2\n")
+        .unwrap();
     fs::write(
         folder.0.join("a.asc"),
         "triangle\n-1 -1 0 0 0 1 0 0\n1 -1 0 0 0 1 0 0\n0 1 0 0 0 1 0 0\n",
@@ -184,17 +162,11 @@ fn errors_say_why_and_leave_no_file() {
     fs::create_dir(folder.0.join("taken-002.tga")).unwrap();
     let before = folder.names();
     for (arguments, message) in [
-        (
-            &["bad.obj"][..],
-            "microraster: bad.obj:2: position 2 does not exist",
-        ),
+        (&["bad.obj"][..], "microraster: bad.obj:2: position 2 does not exist"),
         (&["none.obj"], "microraster: none.obj: it cannot be read"),
         (&["-o", "a.png"], "microraster: a.png: pictures are TGA"),
         (&["-o", "none/a.tga"], "microraster: none/a.tga: "),
-        (
-            &["-o", "taken.tga", "--frames", "3"],
-            "microraster: taken-002.tga: it exists",
-        ),
+        (&["-o", "taken.tga", "--frames", "3"], "microraster: taken-002.tga: it exists"),
         (&["--yaw", "nan"], "microraster: --yaw NaN"),
     ] {
         let output = folder.simulate(arguments);
@@ -204,12 +176,7 @@ fn errors_say_why_and_leave_no_file() {
         assert!(output.stdout.is_empty(), "{arguments:?}: no facts");
         assert_eq!(folder.names(), before, "{arguments:?}: no file");
     }
-    for arguments in [
-        ["--size", "0x5"],
-        ["--size", "9"],
-        ["--size", "5000x5"],
-        ["--frames", "0"],
-    ] {
+    for arguments in [["--size", "0x5"], ["--size", "9"], ["--size", "5000x5"], ["--frames", "0"]] {
         let output = folder.simulate(&arguments);
         assert!(!output.status.success(), "{arguments:?}");
         assert_eq!(folder.names(), before, "{arguments:?}: no file");

@@ -25,23 +25,13 @@ fn read(file: &[u8]) -> (usize, usize, Vec<[u8; 4]>) {
                     let five = ((word >> shift) & 31) as u8;
                     (five << 3) | (five >> 2)
                 };
-                [
-                    eight(10),
-                    eight(5),
-                    eight(0),
-                    if word >> 15 == 1 { 255 } else { 0 },
-                ]
+                [eight(10), eight(5), eight(0), if word >> 15 == 1 { 255 } else { 0 }]
             }
             _ => panic!("pixels of {bytes} bytes"),
         })
         .collect();
     if file[17] & 0x20 == 0 {
-        pixels = pixels
-            .chunks(width.max(1))
-            .rev()
-            .flatten()
-            .copied()
-            .collect();
+        pixels = pixels.chunks(width.max(1)).rev().flatten().copied().collect();
     }
     (width, height, pixels)
 }
@@ -75,15 +65,7 @@ fn header_is_what_the_format_says() {
 
 #[test]
 fn both_origins_read_back_as_written() {
-    for (width, height) in [
-        (1, 1),
-        (3, 2),
-        (17, 31),
-        (65535, 1),
-        (1, 65535),
-        (0, 5),
-        (5, 0),
-    ] {
+    for (width, height) in [(1, 1), (3, 2), (17, 31), (65535, 1), (1, 65535), (0, 5), (5, 0)] {
         let pixels = picture(width, height);
         for origin in [TgaOrigin::TopLeft, TgaOrigin::BottomLeft] {
             let file = write(Tga::new(width, height).unwrap().origin(origin), &pixels);
@@ -118,14 +100,8 @@ fn sixteen_bits_keep_five_of_each_channel() {
     assert_eq!(read(&file), (16, 16, expected), "five bits a channel");
     // Green 4 and green 0 differ in RGB565 (sixth bit); here they are one.
     assert_eq!(
-        write(
-            Tga::new(1, 1).unwrap().depth(TgaDepth::A1r5g5b5),
-            &[[0, 4, 0, 255]]
-        ),
-        write(
-            Tga::new(1, 1).unwrap().depth(TgaDepth::A1r5g5b5),
-            &[[0, 0, 0, 255]]
-        ),
+        write(Tga::new(1, 1).unwrap().depth(TgaDepth::A1r5g5b5), &[[0, 4, 0, 255]]),
+        write(Tga::new(1, 1).unwrap().depth(TgaDepth::A1r5g5b5), &[[0, 0, 0, 255]]),
         "the sixth bit of green is lost"
     );
 }
@@ -133,25 +109,13 @@ fn sixteen_bits_keep_five_of_each_channel() {
 #[test]
 fn wrong_sizes_are_errors_and_write_nothing() {
     assert!(
-        matches!(
-            Tga::new(65536, 1),
-            Err(TgaError::TooLarge {
-                width: 65536,
-                height: 1
-            })
-        ),
+        matches!(Tga::new(65536, 1), Err(TgaError::TooLarge { width: 65536, height: 1 })),
         "too wide"
     );
     let mut file = Vec::new();
     let result = Tga::new(2, 2).unwrap().write(&mut file, &picture(3, 1));
-    assert!(
-        matches!(result, Err(TgaError::WrongLength { needed: 4, got: 3 })),
-        "{result:?}"
-    );
-    assert_eq!(
-        result.unwrap_err().to_string(),
-        "the picture needs 4 pixels and got 3"
-    );
+    assert!(matches!(result, Err(TgaError::WrongLength { needed: 4, got: 3 })), "{result:?}");
+    assert_eq!(result.unwrap_err().to_string(), "the picture needs 4 pixels and got 3");
     assert!(file.is_empty(), "nothing is written");
 }
 
@@ -161,10 +125,8 @@ fn a_file_appears_whole_or_not_at_all() {
     fs::create_dir_all(&folder).unwrap();
     let path = folder.join("picture.tga");
     let names = || {
-        let mut names: Vec<_> = fs::read_dir(&folder)
-            .unwrap()
-            .map(|e| e.unwrap().file_name())
-            .collect();
+        let mut names: Vec<_> =
+            fs::read_dir(&folder).unwrap().map(|e| e.unwrap().file_name()).collect();
         names.sort();
         names
     };

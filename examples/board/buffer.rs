@@ -13,26 +13,17 @@ pub(crate) struct Buffer<T> {
 
 // SAFETY: `take` lends the content once. The firmware has one thread and no interrupt handler,
 // so that a load and a store are as good as a swap, which Armv6-M lacks.
-#[allow(
-    unsafe_code,
-    reason = "a static must be Sync; the flag keeps the loan unique"
-)]
+#[allow(unsafe_code, reason = "a static must be Sync; the flag keeps the loan unique")]
 unsafe impl<T: Send> Sync for Buffer<T> {}
 
 impl<T> Buffer<T> {
     /// Nobody has it yet.
     pub(crate) const fn new(content: T) -> Self {
-        Self {
-            content: UnsafeCell::new(content),
-            taken: AtomicBool::new(false),
-        }
+        Self { content: UnsafeCell::new(content), taken: AtomicBool::new(false) }
     }
 
     /// The content, for the first who asks.
-    #[allow(
-        clippy::mut_from_ref,
-        reason = "the flag sees to it that there is one loan only"
-    )]
+    #[allow(clippy::mut_from_ref, reason = "the flag sees to it that there is one loan only")]
     pub(crate) fn take(&'static self) -> Option<&'static mut T> {
         if self.taken.load(Ordering::Relaxed) {
             return None;

@@ -55,8 +55,5 @@ pub(crate) fn instructions<T>(work: impl FnOnce() -> T) -> (u64, T) {
     let value = work();
     let after = clock::now();
     let ticks = u64::from(after.wrapping_sub(before));
-    (
-        (ticks * clock::period_ps() + INSTRUCTION_PS / 2) / INSTRUCTION_PS,
-        value,
-    )
+    ((ticks * clock::period_ps() + INSTRUCTION_PS / 2) / INSTRUCTION_PS, value)
 }

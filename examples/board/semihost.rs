@@ -5,10 +5,7 @@ use core::fmt;
 
 /// One semihosting call: operation number and address of its argument block.
 #[inline(never)]
-#[allow(
-    unsafe_code,
-    reason = "the trap is an instruction that no safe function offers"
-)]
+#[allow(unsafe_code, reason = "the trap is an instruction that no safe function offers")]
 fn call(operation: usize, argument: usize) -> isize {
     let result: isize;
     #[cfg(target_arch = "arm")]

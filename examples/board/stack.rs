@@ -8,10 +8,7 @@ const PAINT: u32 = 0x5AFE_57AC;
 /// How far below the stack's top to look: painting megabytes costs more than the scene.
 const REACH: usize = 16 * 1024;
 
-#[allow(
-    unsafe_code,
-    reason = "addresses that the linker script gives, not data"
-)]
+#[allow(unsafe_code, reason = "addresses that the linker script gives, not data")]
 extern "C" {
     /// End of what the linker placed in RAM; the stack grows down towards it.
     #[cfg_attr(target_arch = "arm", link_name = "__euninit")]
@@ -34,10 +31,7 @@ pub(crate) struct Mark(usize);
 
 /// Paints from the floor to a little under the caller's frame.
 #[inline(never)]
-#[allow(
-    unsafe_code,
-    reason = "memory under the stack pointer has no other access"
-)]
+#[allow(unsafe_code, reason = "memory under the stack pointer has no other access")]
 pub(crate) fn paint() -> Mark {
     let marker = 0u32;
     let mark = core::ptr::from_ref(&marker) as usize;
@@ -55,10 +49,7 @@ pub(crate) fn paint() -> Mark {
 
 /// Deepest use in bytes below `mark`, since `paint` gave it; about 16 KB means that or more.
 #[inline(never)]
-#[allow(
-    unsafe_code,
-    reason = "memory under the stack pointer has no other access"
-)]
+#[allow(unsafe_code, reason = "memory under the stack pointer has no other access")]
 pub(crate) fn deepest(mark: Mark) -> usize {
     let mut word = floor().cast_const();
     // SAFETY: reads RAM between the statics and the stack's top.

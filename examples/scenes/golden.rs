@@ -4,13 +4,7 @@ use super::{Facts, Group, Probe, Scene, Stage};
 
 /// The list.
 pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 1] {
-    [Scene {
-        name: "ramp",
-        group: Group::Golden,
-        frames: 2,
-        bunny: false,
-        draw: ramp::<P>,
-    }]
+    [Scene { name: "ramp", group: Group::Golden, frames: 2, bunny: false, draw: ramp::<P> }]
 }
 
 /// 64 words that rise from the frame's number.
@@ -26,8 +20,5 @@ fn ramp<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
     if P::COUNTING {
         probe.pixels(color.len() as u64);
     }
-    Facts {
-        bytes: color.len() * 4,
-        triangles: 1,
-    }
+    Facts { bytes: color.len() * 4, triangles: 1 }
 }

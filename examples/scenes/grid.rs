@@ -1,5 +1,11 @@
 //! The mesh of scene S1: a grid of quads, two pixels wide at 320x240.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "counts of a grid that fits 16 bits; colours wrap"
+)]
+
 use microraster::Rgb;
 
 /// Quads in a row.

@@ -5,9 +5,9 @@ pub(crate) const START: u64 = 0xcbf2_9ce4_8422_2325;
 
 /// Continues the hash `state` over `bytes`.
 pub(crate) fn fnv1a(state: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(state, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
+    bytes
+        .iter()
+        .fold(state, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
 /// The hash of the first `bytes` bytes of a colour buffer, in the order in which they lie in

@@ -4,6 +4,12 @@
 //! box height of 2, at z = -3.0178, and turn by 22.5 degrees a frame; light falls along
 //! (-0.3, -0.6, -1), 0.2 ambient and 0.8 diffuse.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "counts of a grid that fits 16 bits; colours wrap"
+)]
+
 use microraster::math::{Angle, Mat4, Vec3};
 use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_POSITIONS};
 use microraster::raster::ScreenVertex;
@@ -20,13 +26,8 @@ const BYTES: usize = ROOM * 2;
 
 /// The list.
 pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 10] {
-    let scene = |name, frames, bunny, draw| Scene {
-        name,
-        group: Group::Standard,
-        frames,
-        bunny,
-        draw,
-    };
+    let scene =
+        |name, frames, bunny, draw| Scene { name, group: Group::Standard, frames, bunny, draw };
     [
         scene("clear", 1, false, clear::<P>),
         scene("F1", 1, false, f1::<P>),
@@ -46,8 +47,7 @@ fn frame<'a>(
     color: &'a mut [u32],
     depth: &'a mut [u16],
 ) -> Result<Frame<'a, Rgb565, DepthBuffer<'a>>, FrameError> {
-    let mut frame =
-        Frame::new(bytemuck::cast_slice_mut(color), SIZE)?.with_depth(depth)?;
+    let mut frame = Frame::new(bytemuck::cast_slice_mut(color), SIZE)?.with_depth(depth)?;
     frame.clear(Rgb::BLACK);
     Ok(frame)
 }
@@ -105,8 +105,12 @@ fn f1<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
     if let Ok(mut frame) = frame(stage.color, stage.depth) {
         let (camera, quad) = (camera(), quad());
         let shader = Flat::solid(Rgb::new(255, 128, 0));
-        measured!(probe, Pass::new(&camera), |pass| pass
-            .draw(&mut frame, &Mat4::identity(), &quad, &shader));
+        measured!(probe, Pass::new(&camera), |pass| pass.draw(
+            &mut frame,
+            &Mat4::identity(),
+            &quad,
+            &shader
+        ));
     }
     facts(2)
 }
@@ -116,8 +120,12 @@ fn f2<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
     if let Ok(mut frame) = frame(stage.color, stage.depth) {
         let (camera, quad) = (camera(), quad());
         let shader = Flat::solid(Rgb::new(255, 128, 0));
-        measured!(probe, Pass::new(&camera).depth(Less), |pass| pass
-            .draw(&mut frame, &Mat4::identity(), &quad, &shader));
+        measured!(probe, Pass::new(&camera).depth(Less), |pass| pass.draw(
+            &mut frame,
+            &Mat4::identity(),
+            &quad,
+            &shader
+        ));
     }
     facts(2)
 }
@@ -127,8 +135,12 @@ fn f3<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
     if let Ok(mut frame) = frame(stage.color, stage.depth) {
         let (camera, quad) = (camera(), quad());
         let shader = Gouraud::colored();
-        measured!(probe, Pass::new(&camera).depth(Less), |pass| pass
-            .draw(&mut frame, &Mat4::identity(), &quad, &shader));
+        measured!(probe, Pass::new(&camera).depth(Less), |pass| pass.draw(
+            &mut frame,
+            &Mat4::identity(),
+            &quad,
+            &shader
+        ));
     }
     facts(2)
 }
@@ -232,9 +244,9 @@ fn fitted<'a>(
 }
 
 fn bunny<'a>(stage: &Stage<'a>) -> Mesh<'a, Normal> {
-    stage.bunny.map_or(Mesh::new(&[], &[]), |model| {
-        fitted(model.positions, model.normals, model.indices)
-    })
+    stage
+        .bunny
+        .map_or(Mesh::new(&[], &[]), |model| fitted(model.positions, model.normals, model.indices))
 }
 
 fn teapot() -> Mesh<'static, Normal> {

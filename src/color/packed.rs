@@ -42,6 +42,7 @@ impl Color {
 
     /// Red without its fraction.
     #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the shift leaves eight bits")]
     pub const fn red(self) -> u8 {
         (self.blue_red >> 8) as u8
     }

@@ -7,6 +7,7 @@ pub struct Rgb565;
 impl Rgb565 {
     /// The stored value of a colour, also for constants.
     #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the masks leave no more bits than that")]
     pub const fn encode(color: Color) -> u16 {
         let red = color.blue_red & 0xF800;
         let green = (color.green >> 21) & 0x07E0;
@@ -16,13 +17,10 @@ impl Rgb565 {
 
     /// The colour of a stored value: 5 and 6 bits are repeated into 8, so full stays full.
     #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the masks leave no more bits than that")]
     pub const fn decode(raw: u16) -> Color {
         let (r, g, b) = (raw >> 11, (raw >> 5) & 63, raw & 31);
-        Color::new(
-            (r << 3 | r >> 2) as u8,
-            (g << 2 | g >> 4) as u8,
-            (b << 3 | b >> 2) as u8,
-        )
+        Color::new((r << 3 | r >> 2) as u8, (g << 2 | g >> 4) as u8, (b << 3 | b >> 2) as u8)
     }
 }
 

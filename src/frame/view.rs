@@ -44,7 +44,9 @@ impl<F: Format, D: core::fmt::Debug> core::fmt::Debug for Frame<'_, F, D> {
 
 /// How many elements rows of this stride span: the last row needs only its width.
 fn needed(size: Size, stride: u32) -> u32 {
-    stride.saturating_mul(u32::from(size.height).saturating_sub(1)).saturating_add(size.width.into())
+    stride
+        .saturating_mul(u32::from(size.height).saturating_sub(1))
+        .saturating_add(size.width.into())
 }
 
 /// A buffer's length, as far as a message needs it.
@@ -249,7 +251,6 @@ impl<F: Format, D> Frame<'_, F, D> {
     /// Colours and depth of columns `left..right` of picture row `y`; `None` where the frame does
     /// not reach.
     #[inline(always)]
-    #[expect(clippy::type_complexity, reason = "two slices of one row; an alias would hide that")]
     pub(crate) fn row_with_depth<A: crate::frame::DepthAccess>(
         &mut self,
         y: i32,
@@ -300,7 +301,8 @@ impl<F: Format> Frame<'_, F, DepthBuffer<'_>> {
         for y in area.top..area.bottom {
             let row = self.held_row(y);
             let (left, length) = (area.left as usize, area.width() as usize);
-            if let Some(cells) = Supplies::<super::ReadWrite>::cells(&mut self.depth, row, left, length)
+            if let Some(cells) =
+                Supplies::<super::ReadWrite>::cells(&mut self.depth, row, left, length)
             {
                 fill_words(cells, code, word);
             }

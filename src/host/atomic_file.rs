@@ -62,10 +62,7 @@ impl AtomicFile {
             Err(_) => target.to_path_buf(),
         };
         let Some(name) = target.file_name() else {
-            return Err(io::Error::new(
-                io::ErrorKind::InvalidInput,
-                "the path names no file",
-            ));
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
         };
 
         // A name that nobody else has: a leading dot, the process, a counter.
@@ -74,17 +71,9 @@ impl AtomicFile {
         let count = COUNTER.fetch_add(1, Ordering::Relaxed);
         hidden.push(format!(".{}-{count}.part", process::id()));
         let temporary = target.with_file_name(hidden);
-        let file = OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .open(&temporary)?;
+        let file = OpenOptions::new().write(true).create_new(true).open(&temporary)?;
 
-        Ok(Self {
-            target,
-            temporary,
-            writer: Some(BufWriter::new(file)),
-            committed: false,
-        })
+        Ok(Self { target, temporary, writer: Some(BufWriter::new(file)), committed: false })
     }
 
     /// Where the file will appear.

@@ -33,7 +33,5 @@ pub const FNV1A64_START: u64 = 0xcbf2_9ce4_8422_2325;
 #[must_use]
 pub fn fnv1a64_after(hash: u64, bytes: &[u8]) -> u64 {
     const PRIME: u64 = 0x0000_0100_0000_01b3;
-    bytes.iter().fold(hash, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(PRIME)
-    })
+    bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME))
 }

@@ -38,6 +38,10 @@ impl MeshData {
     ///
     /// # Rounding
     /// Positions to the nearest of 65 535 steps of the longest side of the box.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "positions are in the box and vertices are counted"
+    )]
     pub fn of_model(model: &Model, by_face: bool) -> Vec<Self> {
         let bounds = model.bounds();
         // Halves first: the difference of two ends of the range would overflow.

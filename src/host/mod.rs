@@ -17,7 +17,7 @@ mod model;
 mod tga;
 
 pub use atomic_file::AtomicFile;
-pub use mesh_data::MeshData;
 pub use hash::{fnv1a64, fnv1a64_after, FNV1A64_START};
+pub use mesh_data::MeshData;
 pub use model::{Bounds, Corner, Group, Material, Model, ModelError, ModelWarning};
 pub use tga::{Tga, TgaDepth, TgaError, TgaOrigin};

@@ -45,16 +45,8 @@ const TURNS_PER_DEGREE: [u32; 8] = {
 };
 
 /// 1 / (2 pi).
-const TURNS_PER_RADIAN: [u32; 8] = [
-    0x28BE_60DB,
-    0x9391_054A,
-    0x7F09_D5F4,
-    0x7D4D_3770,
-    0x36D8_A566,
-    0x4F10_E410,
-    0,
-    0,
-];
+const TURNS_PER_RADIAN: [u32; 8] =
+    [0x28BE_60DB, 0x9391_054A, 0x7F09_D5F4, 0x7D4D_3770, 0x36D8_A566, 0x4F10_E410, 0, 0];
 
 /// 1/2, because 1 is no fraction.
 const TURNS_PER_HALF_TURN: [u32; 8] = [0x8000_0000, 0, 0, 0, 0, 0, 0, 0];
@@ -69,26 +61,20 @@ impl Angle {
     /// The angle of so many degrees.
     #[must_use]
     pub const fn from_degrees(degrees: f32) -> Self {
-        Self {
-            steps: trigonometry::times_fraction(degrees, &TURNS_PER_DEGREE),
-        }
+        Self { steps: trigonometry::times_fraction(degrees, &TURNS_PER_DEGREE) }
     }
 
     /// The angle of so many radians.
     #[must_use]
     pub const fn from_radians(radians: f32) -> Self {
-        Self {
-            steps: trigonometry::times_fraction(radians, &TURNS_PER_RADIAN),
-        }
+        Self { steps: trigonometry::times_fraction(radians, &TURNS_PER_RADIAN) }
     }
 
     /// The angle of so many whole turns.
     #[must_use]
     pub const fn from_turns(turns: f32) -> Self {
         // Doubling is exact; where it overflows, the number of turns is whole.
-        Self {
-            steps: trigonometry::times_fraction(turns * 2.0, &TURNS_PER_HALF_TURN),
-        }
+        Self { steps: trigonometry::times_fraction(turns * 2.0, &TURNS_PER_HALF_TURN) }
     }
 
     /// In degrees, in [-180, 180).
@@ -170,9 +156,7 @@ impl Angle {
 impl Add for Angle {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self {
-            steps: self.steps.wrapping_add(other.steps),
-        }
+        Self { steps: self.steps.wrapping_add(other.steps) }
     }
 }
 
@@ -185,9 +169,7 @@ impl AddAssign for Angle {
 impl Sub for Angle {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self {
-            steps: self.steps.wrapping_sub(other.steps),
-        }
+        Self { steps: self.steps.wrapping_sub(other.steps) }
     }
 }
 
@@ -200,9 +182,7 @@ impl SubAssign for Angle {
 impl Neg for Angle {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            steps: self.steps.wrapping_neg(),
-        }
+        Self { steps: self.steps.wrapping_neg() }
     }
 }
 
@@ -210,9 +190,7 @@ impl Neg for Angle {
 impl Mul<i32> for Angle {
     type Output = Self;
     fn mul(self, factor: i32) -> Self {
-        Self {
-            steps: self.steps.wrapping_mul(factor.cast_unsigned()),
-        }
+        Self { steps: self.steps.wrapping_mul(factor.cast_unsigned()) }
     }
 }
 
@@ -306,9 +284,7 @@ mod tests {
     fn fast_sine_keeps_its_promise() {
         let mut worst = 0.0;
         for i in 0..1_000_000u32 {
-            let angle = Angle {
-                steps: i.wrapping_mul(4294),
-            };
+            let angle = Angle { steps: i.wrapping_mul(4294) };
             let (fast, exact) = (angle.sin_cos_fast(), angle.sin_cos());
             worst = f64::max(worst, distance(fast.0, f64::from(exact.0)));
             worst = f64::max(worst, distance(fast.1, f64::from(exact.1)));
@@ -319,33 +295,21 @@ mod tests {
 
     #[test]
     fn quarters_of_a_turn_are_exact_and_have_no_negative_zero() {
-        for (degrees, sine, cosine) in [
-            (0.0, 0.0, 1.0),
-            (90.0, 1.0, 0.0),
-            (180.0, 0.0, -1.0),
-            (-90.0, -1.0, 0.0f32),
-        ] {
+        for (degrees, sine, cosine) in
+            [(0.0, 0.0, 1.0), (90.0, 1.0, 0.0), (180.0, 0.0, -1.0), (-90.0, -1.0, 0.0f32)]
+        {
             let (s, c) = Angle::from_degrees(degrees).sin_cos();
-            assert_eq!(
-                [s.to_bits(), c.to_bits()],
-                [f32::to_bits(sine), cosine.to_bits()]
-            );
+            assert_eq!([s.to_bits(), c.to_bits()], [f32::to_bits(sine), cosine.to_bits()]);
         }
         assert_eq!(90.0.degrees().tan().to_bits(), f32::INFINITY.to_bits());
-        assert_eq!(
-            (-90.0).degrees().tan().to_bits(),
-            f32::NEG_INFINITY.to_bits()
-        );
+        assert_eq!((-90.0).degrees().tan().to_bits(), f32::NEG_INFINITY.to_bits());
     }
 
     #[test]
     fn units_come_back_as_they_went_in() {
         for degrees in -179..180i16 {
             let degrees = f32::from(degrees);
-            assert_eq!(
-                degrees.degrees().degrees().to_bits(),
-                (degrees + 0.0).to_bits()
-            );
+            assert_eq!(degrees.degrees().degrees().to_bits(), (degrees + 0.0).to_bits());
         }
         let third = core::f32::consts::FRAC_PI_3;
         assert_eq!(third.radians().radians().to_bits(), third.to_bits());

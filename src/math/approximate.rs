@@ -15,9 +15,7 @@ pub(super) fn sin_cos(radians: f32) -> (f32, f32) {
 /// `micromath` subtracts bit patterns, which overflows for negative numbers and is worthless for
 /// subnormal ones.
 pub(super) fn inverse_sqrt(x: f32) -> Option<f32> {
-    (f32::MIN_POSITIVE..=f32::MAX)
-        .contains(&x)
-        .then(|| F32Ext::invsqrt(x))
+    (f32::MIN_POSITIVE..=f32::MAX).contains(&x).then(|| F32Ext::invsqrt(x))
 }
 
 #[cfg(test)]

@@ -52,10 +52,7 @@ static SEEDS: [u8; 128] = {
 #[must_use]
 pub fn inverse_sqrt(n: u32) -> InverseSqrt {
     if n == 0 {
-        return InverseSqrt {
-            mantissa: 1 << 16,
-            shift: 0,
-        };
+        return InverseSqrt { mantissa: 1 << 16, shift: 0 };
     }
     // f = normal / 2^32, in [1/4, 1): the shift must be even to come out of the root.
     let even_zeros = n.leading_zeros() & !1;
@@ -69,10 +66,7 @@ pub fn inverse_sqrt(n: u32) -> InverseSqrt {
     // 8 + 14 fraction bits, 15 wanted, and half of it.
     let mantissa = (seed.wrapping_mul(rest >> 16)).wrapping_add(1 << 7) >> 8;
 
-    InverseSqrt {
-        mantissa: mantissa.clamp(1 << 15, 1 << 16),
-        shift: 31 - even_zeros / 2,
-    }
+    InverseSqrt { mantissa: mantissa.clamp(1 << 15, 1 << 16), shift: 31 - even_zeros / 2 }
 }
 
 #[cfg(test)]
@@ -119,12 +113,6 @@ mod tests {
 
     #[test]
     fn zero_saturates() {
-        assert_eq!(
-            inverse_sqrt(0),
-            InverseSqrt {
-                mantissa: 1 << 16,
-                shift: 0
-            }
-        );
+        assert_eq!(inverse_sqrt(0), InverseSqrt { mantissa: 1 << 16, shift: 0 });
     }
 }

@@ -64,12 +64,7 @@ impl Mat4 {
     /// The four columns.
     #[must_use]
     pub const fn to_columns(self) -> [[f32; 4]; 4] {
-        [
-            self.x.to_array(),
-            self.y.to_array(),
-            self.z.to_array(),
-            self.w.to_array(),
-        ]
+        [self.x.to_array(), self.y.to_array(), self.z.to_array(), self.w.to_array()]
     }
 
     /// Rows and columns exchanged.
@@ -87,10 +82,7 @@ impl Mat4 {
     /// Moves points by `offset`.
     #[must_use]
     pub const fn translation(offset: Vec3) -> Self {
-        Self {
-            w: offset.extend(1.0),
-            ..Self::IDENTITY
-        }
+        Self { w: offset.extend(1.0), ..Self::IDENTITY }
     }
 
     /// Scales each axis by its factor.
@@ -291,22 +283,8 @@ impl Mat4 {
         let upper = |a: Vec4, b: Vec4| a.x * b.y - a.y * b.x;
         let lower = |a: Vec4, b: Vec4| a.z * b.w - a.w * b.z;
         (
-            [
-                upper(x, y),
-                upper(x, z),
-                upper(x, w),
-                upper(y, z),
-                upper(y, w),
-                upper(z, w),
-            ],
-            [
-                lower(x, y),
-                lower(x, z),
-                lower(x, w),
-                lower(y, z),
-                lower(y, w),
-                lower(z, w),
-            ],
+            [upper(x, y), upper(x, z), upper(x, w), upper(y, z), upper(y, w), upper(z, w)],
+            [lower(x, y), lower(x, z), lower(x, w), lower(y, z), lower(y, w), lower(z, w)],
         )
     }
 }
@@ -315,12 +293,7 @@ impl Mat4 {
 impl Mul for Mat4 {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self::from_columns(
-            self * other.x,
-            self * other.y,
-            self * other.z,
-            self * other.w,
-        )
+        Self::from_columns(self * other.x, self * other.y, self * other.z, self * other.w)
     }
 }
 

@@ -26,16 +26,9 @@ fn product_applies_the_right_factor_first() {
         let (a, b) = (random_matrix(&mut random), random_matrix(&mut random));
         let v = random_matrix(&mut random).x;
         assert!(((a * b) * v - a * (b * v)).length() < 1e-4);
-        assert!(close(
-            (a * b).transpose(),
-            b.transpose() * a.transpose(),
-            1e-5
-        ));
+        assert!(close((a * b).transpose(), b.transpose() * a.transpose(), 1e-5));
     }
-    assert_eq!(
-        Mat4::identity() * Vec4::new(1.0, 2.0, 3.0, 4.0),
-        Vec4::new(1.0, 2.0, 3.0, 4.0)
-    );
+    assert_eq!(Mat4::identity() * Vec4::new(1.0, 2.0, 3.0, 4.0), Vec4::new(1.0, 2.0, 3.0, 4.0));
 }
 
 #[test]
@@ -49,17 +42,11 @@ fn inverse_undoes() {
         }
         let inverse = m.inverse().unwrap();
         assert!(close(m * inverse, Mat4::identity(), 2e-4), "{m:?}");
-        assert!(
-            (determinant * inverse.determinant() - 1.0).abs() < 1e-2,
-            "{m:?}"
-        );
+        assert!((determinant * inverse.determinant() - 1.0).abs() < 1e-2, "{m:?}");
     }
     assert_eq!(Mat4::scale(Vec3::new(1.0, 0.0, 1.0)).inverse(), None);
     let scale = Mat4::scale(Vec3::new(2.0, 4.0, 8.0));
-    assert_eq!(
-        scale.inverse(),
-        Some(Mat4::scale(Vec3::new(0.5, 0.25, 0.125)))
-    );
+    assert_eq!(scale.inverse(), Some(Mat4::scale(Vec3::new(0.5, 0.25, 0.125))));
     assert_eq!(scale.determinant().to_bits(), 64.0f32.to_bits());
     assert!(Mat4::scale(Vec3::new(1.0, -1.0, 1.0)).determinant() < 0.0);
 }
@@ -72,21 +59,9 @@ fn rotations_turn_counter_clockwise() {
     assert_eq!(Mat4::rotation_z(quarter).transform_vector(Vec3::X), Vec3::Y);
     for degrees in -36..36i8 {
         let angle = (f32::from(degrees) * 10.0).degrees();
-        assert!(close(
-            Mat4::rotation(Vec3::X * 3.0, angle),
-            Mat4::rotation_x(angle),
-            1e-7
-        ));
-        assert!(close(
-            Mat4::rotation(Vec3::Y * 0.1, angle),
-            Mat4::rotation_y(angle),
-            1e-7
-        ));
-        assert!(close(
-            Mat4::rotation(-Vec3::Z, angle),
-            Mat4::rotation_z(-angle),
-            1e-7
-        ));
+        assert!(close(Mat4::rotation(Vec3::X * 3.0, angle), Mat4::rotation_x(angle), 1e-7));
+        assert!(close(Mat4::rotation(Vec3::Y * 0.1, angle), Mat4::rotation_y(angle), 1e-7));
+        assert!(close(Mat4::rotation(-Vec3::Z, angle), Mat4::rotation_z(-angle), 1e-7));
     }
     // A third of a turn about the diagonal permutes the axes.
     let permutation = Mat4::rotation(Vec3::ONE, 120.0.degrees());
@@ -139,28 +114,12 @@ fn corners_of_the_view_go_to_corners_of_the_picture() {
     let pixel = |m: Mat4, p: Vec3| screen.transform_point((m * p.extend(1.0)).project());
 
     let m = Mat4::frustum(-1.0, 3.0, -2.0, 4.0, 1.0, None);
-    assert!(near(
-        pixel(m, Vec3::new(-2.0, 8.0, -2.0)),
-        Vec3::new(10.0, 20.0, 0.5),
-        1e-3
-    ));
-    assert!(near(
-        pixel(m, Vec3::new(6.0, -4.0, -2.0)),
-        Vec3::new(330.0, 260.0, 0.5),
-        1e-3
-    ));
+    assert!(near(pixel(m, Vec3::new(-2.0, 8.0, -2.0)), Vec3::new(10.0, 20.0, 0.5), 1e-3));
+    assert!(near(pixel(m, Vec3::new(6.0, -4.0, -2.0)), Vec3::new(330.0, 260.0, 0.5), 1e-3));
 
     let m = Mat4::orthographic(-1.0, 3.0, -2.0, 4.0, 1.0, 5.0);
-    assert!(near(
-        pixel(m, Vec3::new(-1.0, 4.0, -1.0)),
-        Vec3::new(10.0, 20.0, 1.0),
-        1e-3
-    ));
-    assert!(near(
-        pixel(m, Vec3::new(3.0, -2.0, -5.0)),
-        Vec3::new(330.0, 260.0, 0.0),
-        1e-3
-    ));
+    assert!(near(pixel(m, Vec3::new(-1.0, 4.0, -1.0)), Vec3::new(10.0, 20.0, 1.0), 1e-3));
+    assert!(near(pixel(m, Vec3::new(3.0, -2.0, -5.0)), Vec3::new(330.0, 260.0, 0.0), 1e-3));
 
     let lens = Mat4::perspective(90.0.degrees(), 320.0 / 240.0, 1.0, None);
     let window = Mat4::frustum(-4.0 / 3.0, 4.0 / 3.0, -1.0, 1.0, 1.0, None);
@@ -184,17 +143,9 @@ fn a_million_composed_rotations_stay_a_rotation() {
         let pairs = gram.iter().flatten().zip(one.iter().flatten());
         pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
     };
-    std::println!(
-        "a million rotations: kept {:e}, drifted {:e}",
-        worst(kept),
-        worst(drifted)
-    );
+    std::println!("a million rotations: kept {:e}, drifted {:e}", worst(kept), worst(drifted));
     assert!(worst(kept) < 1e-5, "{:e}", worst(kept));
-    assert!(
-        worst(drifted.orthonormalize()) < 5e-7,
-        "{:e}",
-        worst(drifted)
-    );
+    assert!(worst(drifted.orthonormalize()) < 5e-7, "{:e}", worst(drifted));
 }
 
 #[test]
@@ -213,18 +164,10 @@ fn orthonormalize_keeps_mirrors_and_translation() {
         assert!((clean.determinant().abs() - 1.0).abs() < 1e-5, "{m:?}");
         assert_eq!(clean.determinant() < 0.0, m.determinant() < 0.0, "{m:?}");
     }
-    for flat in [
-        Vec3::ZERO,
-        Vec3::X,
-        Vec3::splat(f32::NAN),
-        Vec3::splat(f32::INFINITY),
-    ] {
+    for flat in [Vec3::ZERO, Vec3::X, Vec3::splat(f32::NAN), Vec3::splat(f32::INFINITY)] {
         let column = flat.extend(0.0);
         let clean = Mat4::from_columns(column, column, column, Vec4::W).orthonormalize();
-        assert!(
-            (clean.determinant().abs() - 1.0).abs() < 1e-5,
-            "{flat:?} {clean:?}"
-        );
+        assert!((clean.determinant().abs() - 1.0).abs() < 1e-5, "{flat:?} {clean:?}");
     }
 }
 

@@ -60,17 +60,13 @@ pub fn reciprocal(n: u32) -> Reciprocal {
     let seed = u32::from(SEEDS[((normal >> 24) & 127) as usize]);
 
     // First step, to 2^30 / f with 15 good bits: the upper half of f is enough for that.
-    let error = (1u32 << 31)
-        .wrapping_sub((normal >> 16).wrapping_mul(seed))
-        .cast_signed();
+    let error = (1u32 << 31).wrapping_sub((normal >> 16).wrapping_mul(seed)).cast_signed();
     let correction = seed.cast_signed().wrapping_mul(error >> 9) >> 7;
     let estimate = (seed << 15).wrapping_add(correction.cast_unsigned());
 
     // Second step. The error 2^30 (1 - f x) is under 2^17, so it goes into the product with
     // 13 bits more.
-    let error = (1u32 << 30)
-        .wrapping_sub(mul_high(normal, estimate))
-        .cast_signed();
+    let error = (1u32 << 30).wrapping_sub(mul_high(normal, estimate)).cast_signed();
     let correction = mul_high_signed(error.wrapping_shl(13), estimate >> 1) >> 10;
     let mantissa = estimate.wrapping_add(correction.cast_unsigned());
 

@@ -3,22 +3,10 @@
 use super::wide::mul_high;
 
 /// (pi/4)^(2k+1) / (2k+1)! with 32 fraction bits: the series of sin(pi/4 z) / z.
-const SINE: [u32; 5] = [
-    0xC90F_DAA2,
-    0x14AB_BCE6,
-    0x00A3_35E3,
-    0x0002_65A6,
-    0x0000_0542,
-];
+const SINE: [u32; 5] = [0xC90F_DAA2, 0x14AB_BCE6, 0x00A3_35E3, 0x0002_65A6, 0x0000_0542];
 
 /// (pi/4)^(2k) / (2k)! with 31 fraction bits: the series of cos(pi/4 z) after its 1.
-const COSINE: [u32; 5] = [
-    0x277A_7993,
-    0x0207_83E1,
-    0x000A_AE9E,
-    0x0000_1E1F,
-    0x0000_0035,
-];
+const COSINE: [u32; 5] = [0x277A_7993, 0x0207_83E1, 0x000A_AE9E, 0x0000_1E1F, 0x0000_0035];
 
 /// The sum c0 - w (c1 - w (c2 - w (c3 - w c4))), `w` with 32 fraction bits.
 ///
@@ -45,11 +33,7 @@ pub(super) const fn sin_cos(angle: u32) -> (f32, f32) {
 
     // z^2 with 32 fraction bits; 1 itself does not fit, and 2^-30 less makes no difference.
     let square = mul_high(z, z);
-    let square = (if square >> 30 == 0 {
-        square
-    } else {
-        (1 << 30) - 1
-    }) << 2;
+    let square = (if square >> 30 == 0 { square } else { (1 << 30) - 1 }) << 2;
 
     let sine = mul_high(z, alternating_series(SINE, square)) as f32 * UNIT;
     let cosine = mul_high(square, alternating_series(COSINE, square));

@@ -32,6 +32,7 @@ pub(crate) const fn mul_high(a: u32, b: u32) -> u32 {
 ///
 /// `b` must be below 2^31.
 #[inline(always)]
+#[allow(clippy::cast_possible_wrap, reason = "the same bits, read as signed")]
 pub(crate) const fn mul_high_signed(a: i32, b: u32) -> i32 {
     if BY_HALVES {
         // As unsigned, a negative number is 2^32 too large.
@@ -45,6 +46,7 @@ pub(crate) const fn mul_high_signed(a: i32, b: u32) -> i32 {
 ///
 /// `b` must be below 2^31.
 #[inline(always)]
+#[allow(clippy::cast_possible_wrap, reason = "the same bits, read as signed")]
 pub(crate) const fn wide_product(a: i32, b: u32) -> i64 {
     if BY_HALVES {
         let (high, low) = by_halves(a as u32, b);
@@ -71,9 +73,10 @@ mod tests {
             let exact = u64::from(a) * u64::from(b);
             let (high, low) = by_halves(a, b);
             assert_eq!(u64::from(high) << 32 | u64::from(low), exact, "{a:x} x {b:x}");
-            let (signed, half) = (a as i32, b >> 1);
+            let (signed, half) = (a.cast_signed(), b >> 1);
             let exact = i64::from(signed) * i64::from(half);
-            let high = (by_halves(a, half).0 as i32).wrapping_sub(signed >> 31 & half as i32);
+            let high = by_halves(a, half).0.cast_signed();
+            let high = high.wrapping_sub(signed >> 31 & half.cast_signed());
             assert_eq!(i64::from(high), exact >> 32, "{signed} x {half:x}");
             assert_eq!(mul_high_signed(signed, half), high, "{signed} x {half:x}");
             assert_eq!(wide_product(signed, half), exact, "{signed} x {half:x}");

@@ -18,30 +18,16 @@ pub(super) type Vector = [i64; 3];
 pub(super) struct Patch(pub(super) [Vector; 16]);
 
 /// 64 times the four cubic Bernstein polynomials at k/4.
-const CUBIC: [[i64; 4]; STEPS + 1] = [
-    [64, 0, 0, 0],
-    [27, 27, 9, 1],
-    [8, 24, 24, 8],
-    [1, 9, 27, 27],
-    [0, 0, 0, 64],
-];
+const CUBIC: [[i64; 4]; STEPS + 1] =
+    [[64, 0, 0, 0], [27, 27, 9, 1], [8, 24, 24, 8], [1, 9, 27, 27], [0, 0, 0, 64]];
 
 /// 16 times the three quadratic ones, and a zero: the weights of a derivative's differences.
-const QUADRATIC: [[i64; 4]; STEPS + 1] = [
-    [16, 0, 0, 0],
-    [9, 6, 1, 0],
-    [4, 8, 4, 0],
-    [1, 6, 9, 0],
-    [0, 0, 16, 0],
-];
+const QUADRATIC: [[i64; 4]; STEPS + 1] =
+    [[16, 0, 0, 0], [9, 6, 1, 0], [4, 8, 4, 0], [1, 6, 9, 0], [0, 0, 16, 0]];
 
 /// a x b.
 pub(super) const fn cross(a: Vector, b: Vector) -> Vector {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Whether all components are zero.

@@ -27,20 +27,14 @@ struct Builder {
 const PLACES: usize = 2048;
 
 /// An integer that is in the range of `i8` or `i16`, which conversions at compile time cannot check.
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "TryFrom is not const; both are checked"
-)]
+#[allow(clippy::cast_possible_truncation, reason = "TryFrom is not const; both are checked")]
 const fn narrow(value: i64) -> (i8, i16) {
     assert!(value.abs() <= REACH, "out of the range of i16");
     (value as i8, value as i16)
 }
 
 /// A vertex number, of which there are at most `NODES`.
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "TryFrom is not const; NODES fits"
-)]
+#[allow(clippy::cast_possible_truncation, reason = "TryFrom is not const; NODES fits")]
 const fn number(vertex: usize) -> u16 {
     assert!(vertex < NODES, "out of the range of vertices");
     vertex as u16
@@ -164,10 +158,7 @@ impl Builder {
 }
 
 /// The whole teapot, with room to spare in its arrays.
-#[allow(
-    long_running_const_eval,
-    reason = "800 exact patch points take a fraction of a second"
-)]
+#[allow(long_running_const_eval, reason = "800 exact patch points take a fraction of a second")]
 const TEAPOT: Builder = {
     let mut builder = Builder::new();
     let mut i = 0;
@@ -183,10 +174,7 @@ const TEAPOT: Builder = {
         builder.patch(&Patch(points));
         i += 1;
     }
-    assert!(
-        builder.corners == CORNERS,
-        "exactly 32 triangles are points"
-    );
+    assert!(builder.corners == CORNERS, "exactly 32 triangles are points");
     builder
 };
 

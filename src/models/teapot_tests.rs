@@ -40,10 +40,7 @@ fn surface(patch: &[u16; 16], u: f64, v: f64) -> Point {
         let [x, y, z] = POINTS[usize::from(i) - 1].map(|c| f64::from(c) / UNITS as f64);
         [x, z, -y]
     };
-    curve(
-        from_fn(|row| curve(from_fn(|column| point(patch[4 * row + column])), v)),
-        u,
-    )
+    curve(from_fn(|row| curve(from_fn(|column| point(patch[4 * row + column])), v)), u)
 }
 
 /// The vertex positions in model space.
@@ -54,9 +51,7 @@ fn positions() -> Vec<Point> {
 }
 
 fn triangles() -> impl Iterator<Item = [usize; 3]> {
-    TEAPOT_INDICES
-        .chunks_exact(3)
-        .map(|t| from_fn(|i| usize::from(t[i])))
+    TEAPOT_INDICES.chunks_exact(3).map(|t| from_fn(|i| usize::from(t[i])))
 }
 
 #[test]
@@ -70,9 +65,8 @@ fn has_992_triangles_over_530_vertices_all_used() {
 
 #[test]
 fn control_points_have_the_published_box() {
-    for (axis, bounds) in [[-300_000, 352_500], [-200_000, 200_000], [0, 315_000]]
-        .iter()
-        .enumerate()
+    for (axis, bounds) in
+        [[-300_000, 352_500], [-200_000, 200_000], [0, 315_000]].iter().enumerate()
     {
         let values = || POINTS.iter().map(|p| p[axis]);
         assert_eq!([values().min(), values().max()], bounds.map(Some));
@@ -110,17 +104,11 @@ fn every_vertex_lies_on_its_patch_with_the_patch_normal() {
             let dv = minus(surface(patch, u, v + d), surface(patch, u, v - d));
             let normal = unit(cross(dv, du));
 
-            let distance = |i: usize| {
-                minus(positions[i], point)
-                    .into_iter()
-                    .map(f64::abs)
-                    .fold(0.0, f64::max)
-            };
+            let distance =
+                |i: usize| minus(positions[i], point).into_iter().map(f64::abs).fold(0.0, f64::max);
             let cosine = |i: usize| dot(unit(TEAPOT_NORMALS[i].map(f64::from)), normal);
             let here = (0..positions.len()).filter(|&i| distance(i) < 2.0 * step);
-            let best = here
-                .max_by(|&a, &b| cosine(a).total_cmp(&cosine(b)))
-                .unwrap();
+            let best = here.max_by(|&a, &b| cosine(a).total_cmp(&cosine(b))).unwrap();
             seen.insert(best);
             worst_position = f64::max(worst_position, distance(best) / step);
             worst_cosine = f64::min(worst_cosine, cosine(best));
@@ -145,10 +133,7 @@ fn normals_are_127_long() {
 fn left_and_right_are_mirror_images() {
     let vertices: HashSet<_> = TEAPOT_POSITIONS.iter().zip(&TEAPOT_NORMALS).collect();
     for (&[x, y, z], &[a, b, c]) in TEAPOT_POSITIONS.iter().zip(&TEAPOT_NORMALS) {
-        assert!(
-            vertices.contains(&(&[x, y, -z], &[a, b, -c])),
-            "{x} {y} {z}"
-        );
+        assert!(vertices.contains(&(&[x, y, -z], &[a, b, -c])), "{x} {y} {z}");
     }
 }
 

@@ -36,6 +36,7 @@ impl Clip {
     /// draw: `0.99 * LIMIT / (largest coordinate)` uses the range best.
     ///
     /// `None` where a product is not finite or not below [`LIMIT`](Self::LIMIT).
+    #[allow(clippy::cast_possible_truncation, reason = "in range as compared just before")]
     pub fn from_f32(position: Vec4, scale: f32) -> Option<Self> {
         let coordinate = |v: f32| {
             let scaled = v * scale;

@@ -70,6 +70,11 @@ impl ClipPlane {
 }
 
 /// a / b in units of 2^-30 for 0 <= a <= b, b above zero.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "shifted into range, or a point between two others"
+)]
 fn ratio(a: i64, b: i64) -> i64 {
     let (a, b) = (a as u64, b as u64);
     let excess = 32_u32.saturating_sub(b.leading_zeros());
@@ -80,6 +85,10 @@ fn ratio(a: i64, b: i64) -> i64 {
 }
 
 /// The point that divides a..b as t, in units of 2^-30; rounded to nearest.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "shifted into range, or a point between two others"
+)]
 fn between(a: i32, b: i32, t: i64) -> i32 {
     let difference = i64::from(b).wrapping_sub(a.into());
     a.wrapping_add((difference.wrapping_mul(t).wrapping_add(1 << 29) >> 30) as i32)
@@ -181,6 +190,9 @@ impl Polygon {
     }
 }
 
+/// Three corners on the screen, and their weights.
+type FanTriangle = ([ScreenVertex; 3], [(i32, i32); 3]);
+
 /// A polygon on the screen, cut into triangles about its apex.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Fan {
@@ -199,11 +211,11 @@ impl Fan {
     }
 
     /// Triangle `i`: its corners in the polygon's order, and their weights.
-    pub(super) fn triangle(&self, i: usize) -> Option<([ScreenVertex; 3], [(i32, i32); 3])> {
+    pub(super) fn triangle(&self, i: usize) -> Option<FanTriangle> {
         self.about(self.apex, i)
     }
 
-    fn about(&self, apex: usize, i: usize) -> Option<([ScreenVertex; 3], [(i32, i32); 3])> {
+    fn about(&self, apex: usize, i: usize) -> Option<FanTriangle> {
         let corner = |step: usize| {
             let at = apex.wrapping_add(step);
             let at = if at >= self.length { at.wrapping_sub(self.length) } else { at };

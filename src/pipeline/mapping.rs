@@ -38,6 +38,10 @@ pub(crate) struct Mapping {
 const GUARD_BITS: i32 = GUARD * SUBPIXELS;
 
 impl Mapping {
+    #[allow(
+        clippy::cast_possible_wrap,
+        reason = "in range by shifts and clamps, or compared with the original"
+    )]
     pub(crate) fn new(viewport: Rect, depth: Depth) -> Self {
         let (width, height) = (viewport.width(), viewport.height());
         // Sides are at most 8192 pixels, so that nothing here can overflow.
@@ -58,6 +62,10 @@ impl Mapping {
     /// # Cost
     /// One reciprocal and five high products: about 75 instructions on Cortex-M4.
     #[inline(always)]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "in range by shifts and clamps, or compared with the original"
+    )]
     pub(crate) fn project(&self, clip: &Clip) -> Projected {
         let Clip { x, y, z, w } = *clip;
         let mut flags = 0;
@@ -132,6 +140,10 @@ impl Mapping {
 
     /// The depth code 2 + 65531 z / w, rounded to nearest.
     #[inline(always)]
+    #[allow(
+        clippy::cast_possible_wrap,
+        reason = "in range by shifts and clamps, or compared with the original"
+    )]
     fn code(&self, clip: &Clip, mantissa: u32, room: u32) -> u16 {
         let above_two = match self.depth {
             Depth::Near { numerator, shift, .. } => {
@@ -159,6 +171,10 @@ pub(super) fn near_slack(w: i32) -> i32 {
 
 /// v x half / w in subpixels, rounded to nearest; saturates far beyond the guard box.
 #[inline(always)]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "in range by shifts and clamps, or compared with the original"
+)]
 fn scaled(v: i32, mantissa: u32, half: HalfSide, room: u32) -> i32 {
     let factor = mul_high(mantissa, half.mantissa);
     let down = 28_u32.wrapping_add(half.shift).wrapping_sub(room);

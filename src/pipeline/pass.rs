@@ -20,7 +20,25 @@ use crate::shade::{
 /// the type, so that what is not asked for is not there; the rest are plain values.
 ///
 /// ```
-#[doc = include_str!("../../examples/hello.rs")]
+/// use microraster::math::{Mat4, Vec3};
+/// use microraster::models::TEAPOT;
+/// use microraster::{Camera, Cull, Frame, Gouraud, Less, Light, Pass, Rgb, Rgb565, Size, Stats};
+/// # use microraster::math::AngleUnits;
+///
+/// let (mut pixels, mut depth) = ([0u16; 128 * 64], [0u16; 128 * 64]);
+/// let mut frame = Frame::<Rgb565>::new(&mut pixels, Size::new(128, 64))?.with_depth(&mut depth)?;
+/// let camera = Camera::perspective(45.0.degrees(), 0.5)
+///     .look_at(Vec3::new(0.0, 2.0, 5.0), Vec3::ZERO, Vec3::Y);
+/// let sun = Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::WHITE);
+/// let mut stats = Stats::default();
+/// Pass::new(&camera).cull(Cull::Back).depth(Less).count(&mut stats).draw(
+///     &mut frame,
+///     &Mat4::identity(),
+///     &TEAPOT,
+///     &Gouraud::lit(&[sun]),
+/// );
+/// assert_eq!((stats.triangles, stats.skipped), (992, 0));
+/// # Ok::<(), microraster::FrameError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Pass<'c, S = States> {
@@ -148,12 +166,12 @@ impl<S: State> Pass<'_, S> {
             cull: self.cull,
             front: self.front,
         };
-        let draw = Draw { mesh, shader, prepared: &shader.prepare(&context), transform: &transform };
+        let draw =
+            Draw { mesh, shader, prepared: &shader.prepare(&context), transform: &transform };
         if H::OWN_POSITIONS {
             draw.run(&draw, assembly, frame, &mut self.state, cache.start());
         } else {
-            let positions =
-                MeshPositions { transform: &transform, positions: mesh.positions };
+            let positions = MeshPositions { transform: &transform, positions: mesh.positions };
             draw.run(&positions, assembly, frame, &mut self.state, cache.start());
         }
     }
@@ -221,8 +239,7 @@ impl<H: Shader> Draw<'_, H> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let mut face =
-            Face { number: 0, vertices: [0; 3], triangle: Triangle::EMPTY };
+        let mut face = Face { number: 0, vertices: [0; 3], triangle: Triangle::EMPTY };
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         loop {
             let (_, counter) = state.parts();
@@ -243,8 +260,13 @@ impl<H: Shader> Draw<'_, H> {
                     state.parts().1.event(Event::Drawn);
                     let [a, b, c] = &corners;
                     let ordered = if face.triangle.flipped { [a, c, b] } else { [a, b, c] };
-                    Fill { triangle: &face.triangle, corners: ordered, provoking: a }
-                        .draw(frame, state, self.shader, &mut walk, &mut batch);
+                    Fill { triangle: &face.triangle, corners: ordered, provoking: a }.draw(
+                        frame,
+                        state,
+                        self.shader,
+                        &mut walk,
+                        &mut batch,
+                    );
                 }
                 Next::Clip => {
                     self.draw_clipped(positions, &assembly, &face, frame, state, &mut cache);
@@ -296,7 +318,8 @@ impl<H: Shader> Draw<'_, H> {
         D: Supplies<Access<S>>,
     {
         let [a, b, c] = face.vertices.map(|index| positions.clip(index));
-        let (Some(a), Some(b), Some(c), Some(corners)) = (a, b, c, self.corners(face, cache)) else {
+        let (Some(a), Some(b), Some(c), Some(corners)) = (a, b, c, self.corners(face, cache))
+        else {
             state.parts().1.event(Event::Skipped);
             return;
         };
@@ -333,8 +356,13 @@ impl<H: Shader> Draw<'_, H> {
             covered = true;
             let [a, b, c] = weights.map(|(u, v)| H::Varying::mix([p, q, r], u, v));
             let ordered = if triangle.flipped { [&a, &c, &b] } else { [&a, &b, &c] };
-            Fill { triangle: &triangle, corners: ordered, provoking: p }
-                .draw(frame, state, self.shader, &mut walk, &mut batch);
+            Fill { triangle: &triangle, corners: ordered, provoking: p }.draw(
+                frame,
+                state,
+                self.shader,
+                &mut walk,
+                &mut batch,
+            );
         }
         state.parts().1.event(if covered { Event::Drawn } else { Event::Outside });
     }

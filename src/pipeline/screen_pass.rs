@@ -3,9 +3,7 @@ use super::{Cull, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
 use crate::raster::{ScreenVertex, SpanBatch, Traversal, Triangle};
-use crate::shade::{
-    Corner, Counter, Counting, DepthTest, Event, Shader, State, States, Stats,
-};
+use crate::shade::{Corner, Counter, Counting, DepthTest, Event, Shader, State, States, Stats};
 
 /// Draws primitives that are in screen space already: below the vertex stage, with the same state,
 /// shaders and pixel loop.
@@ -128,8 +126,13 @@ impl<S: State> ScreenPass<S> {
             }
             self.state.parts().1.event(Event::Drawn);
             let ordered = if triangle.flipped { [p, r, q] } else { [p, q, r] };
-            Fill { triangle, corners: ordered, provoking: p }
-                .draw(frame, &mut self.state, shader, &mut walk, &mut batch);
+            Fill { triangle, corners: ordered, provoking: p }.draw(
+                frame,
+                &mut self.state,
+                shader,
+                &mut walk,
+                &mut batch,
+            );
         }
     }
 }

@@ -37,9 +37,6 @@ pub(crate) struct Transform {
     pub(crate) depth: Depth,
 }
 
-// Three products of 15-bit numbers and a translation.
-const _: () = assert!(3 * (1i64 << 30) + (1 << 30) <= 1 << 32, "clip coordinates wrap nowhere");
-
 /// 2^exponent, for exponents of normal floats.
 fn power_of_two(exponent: i32) -> Option<f32> {
     let biased = u32::try_from(exponent.checked_add(127)?).ok()?;
@@ -48,12 +45,20 @@ fn power_of_two(exponent: i32) -> Option<f32> {
 
 /// The exponent of a float: 1 <= v / 2^exponent < 2. `None` for zero, subnormals and what is not
 /// finite.
+#[allow(
+    clippy::cast_possible_wrap,
+    reason = "a float cast saturates; the scale keeps mantissas in 16 bits"
+)]
 fn exponent(v: f32) -> Option<i32> {
     let biased = (v.to_bits() >> 23) & 0xFF;
     (1..=254).contains(&biased).then(|| biased as i32 - 127)
 }
 
 /// The nearest integer; saturates.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "a float cast saturates; the scale keeps mantissas in 16 bits"
+)]
 fn round(v: f32) -> i32 {
     (v + if v < 0.0 { -0.5 } else { 0.5 }) as i32
 }
@@ -63,6 +68,10 @@ impl Transform {
     ///
     /// `near` is given where clip z is that constant; `far` says whether z' < 0 is cut off
     /// otherwise. `None` for a matrix that is not finite, or all zero.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "a float cast saturates; the scale keeps mantissas in 16 bits"
+    )]
     pub(crate) fn new(matrix: &Mat4, near: Option<f32>, far: bool) -> Option<Self> {
         let [x, y, z, w] = matrix.transpose().to_columns();
         // The largest coordinate that any position can reach, with room for rounding.
@@ -70,8 +79,8 @@ impl Transform {
         for row in [x, y, w].iter().chain(near.is_none().then_some(&z)) {
             let [a, b, c, d] = row.map(|v| if v < 0.0 { -v } else { v });
             let reach = (a + b + c) * 32768.0 + d;
-            // Also true for what is no number, which `exponent` then refuses.
-            if !(reach <= largest) {
+            // What is no number is kept, and refused by `exponent`.
+            if reach > largest || reach.is_nan() {
                 largest = reach;
             }
         }
@@ -82,7 +91,7 @@ impl Transform {
             None => Depth::Row { far },
             Some(near) => {
                 let near = near * scale;
-                if !(near > 0.0) {
+                if near.is_nan() || near <= 0.0 {
                     return None;
                 }
                 let exponent = exponent(near * 65531.0)?;

@@ -19,6 +19,7 @@ pub(crate) struct EdgeWalk {
 
 /// Quotient and remainder of a division that rounds down; `b` must be above zero.
 #[inline(always)]
+#[allow(clippy::cast_possible_wrap, reason = "the same bits, read as signed: see the range")]
 fn divide_floor(a: i32, b: i32) -> (i32, i32) {
     // An unsigned division of the magnitude: cheaper than a signed one where it is a call. `b` is
     // never 0, which the compiler is shown by the `max` that costs less than a panic path.

@@ -39,6 +39,10 @@ const _: () = assert!(2 * 65535 * (SHORT_SIDE as i64) < 1 << 31, "numerators");
 impl Gradients {
     /// Prepares the planes of a triangle.
     #[inline(never)]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "planes are modulo 2^32: the upper bits are cut off on purpose"
+    )]
     pub fn new(triangle: &Triangle) -> Self {
         let [a, b, c] = &triangle.v;
         let (x1, y1) = (b.x_bits().wrapping_sub(a.x_bits()), b.y_bits().wrapping_sub(a.y_bits()));
@@ -87,6 +91,11 @@ impl Gradients {
 
     /// (p q - r s) / (2 area): a pixel's and a subpixel's step, cut to 32 bits.
     #[inline(always)]
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_possible_wrap,
+        reason = "planes are modulo 2^32: the upper bits are cut off on purpose"
+    )]
     fn slope(&self, p: i32, q: i32, r: i32, s: i32) -> (i32, i32) {
         if self.long {
             let exact = i64::from(p)
@@ -115,6 +124,11 @@ impl Gradients {
 ///
 /// The whole product has up to 67 bits: its low 64 are enough while the shift is at most 32, its
 /// high part from there on.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "planes are modulo 2^32: the upper bits are cut off on purpose"
+)]
 fn scaled_wide(numerator: i64, mantissa: u32, shift: u32) -> i32 {
     if shift <= 32 {
         let product = numerator.wrapping_mul(mantissa.into());

@@ -60,6 +60,7 @@ impl ScreenVertex {
     }
 
     /// Whether the corner lies in the square of [`GUARD`] about the centre of `picture`.
+    #[allow(clippy::cast_possible_wrap, reason = "a constant below 2^18")]
     pub fn in_range(&self, picture: Size) -> bool {
         let side = (GUARD * SUBPIXELS) as u32;
         let near = |bits: i32, length: u16| {

@@ -29,6 +29,7 @@ const _: () = assert!(17 < 1 << (FRACTION - 13), "less than half the distance of
 const _: () = assert!((WIDEST as i64) << FRACTION <= 1 << 30, "slopes fit");
 
 /// 2^31 / dy, for cores that do not divide.
+#[allow(clippy::cast_possible_truncation, reason = "in range as the assertions say")]
 static INVERSES: [u32; TALLEST as usize + 1] = {
     let mut inverses = [0; TALLEST as usize + 1];
     let mut dy = 2;
@@ -43,6 +44,7 @@ static INVERSES: [u32; TALLEST as usize + 1] = {
 
 /// dx / dy with 19 fraction bits, off by less than one unit.
 #[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "in range as the assertions say")]
 fn slope(dx: i32, dy: i32) -> i32 {
     if BY_HALVES {
         let inverse = INVERSES.get(dy as usize).copied().unwrap_or(0);

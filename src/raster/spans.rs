@@ -162,6 +162,11 @@ impl Sorted<'_> {
 
 impl SpanWalk for Spans {
     #[inline(never)]
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_possible_wrap,
+        reason = "at most the capacity of a batch"
+    )]
     fn next_spans(&mut self, batch: &mut SpanBatch) {
         batch.clear();
         loop {

@@ -26,6 +26,7 @@ pub fn twice_area(v: &[ScreenVertex; 3]) -> i64 {
 
 /// The cross product of two sides.
 #[inline(always)]
+#[allow(clippy::cast_possible_wrap, reason = "a constant below 2^15")]
 pub(crate) fn area_of_sides(x1: i32, y1: i32, x2: i32, y2: i32) -> i64 {
     /// Two sides this long span a box whose area fits an i32: floor(sqrt(2^31) / 2).
     const SHORT: u32 = 23_170;

@@ -31,10 +31,7 @@ impl Camera {
     ///
     /// Nothing is too far to be seen. The depth resolution at distance d is d^2 / (65531 near).
     pub const fn perspective(field_of_view: Angle, near: f32) -> Self {
-        Self {
-            view: Mat4::identity(),
-            lens: Lens::Perspective { field_of_view, near, far: None },
-        }
+        Self { view: Mat4::identity(), lens: Lens::Perspective { field_of_view, near, far: None } }
     }
 
     /// A camera without perspective: the height of what it sees, and the distances between which

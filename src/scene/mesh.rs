@@ -86,7 +86,7 @@ impl<'a, A> Mesh<'a, A> {
     pub const fn triangles(&self) -> usize {
         let corners = match self.indices {
             Indices::Sequential => {
-                if self.positions.len() == 0 {
+                if self.positions.is_empty() {
                     self.attributes.len()
                 } else {
                     self.positions.len()

@@ -7,6 +7,7 @@ use crate::math::Vec3;
 pub type Normal = [i8; 3];
 
 /// The nearest [`Normal`] to a direction of any length; zero for a zero direction.
+#[allow(clippy::cast_possible_truncation, reason = "a float cast saturates")]
 pub fn normal(direction: Vec3) -> Normal {
     let Vec3 { x, y, z } = direction.normalize() * 127.0;
     // `as` saturates, so that nothing can overflow.

@@ -1,4 +1,6 @@
-use super::{Coloring, Corner, DrawContext, FlatColor, Lambert, Row, Shader, Solid, State, VertexColors};
+use super::{
+    Coloring, Corner, DrawContext, FlatColor, Lambert, Row, Shader, Solid, State, VertexColors,
+};
 use crate::color::{Color, Format, Rgb};
 use crate::scene::Light;
 

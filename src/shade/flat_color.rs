@@ -46,6 +46,7 @@ impl Varying for FlatColor {
 }
 
 /// Three channels mixed.
+#[allow(clippy::cast_possible_truncation, reason = "clamped to 16 bits")]
 pub(super) fn mix_color([a, b, c]: [&Rgb16; 3], u: i32, v: i32) -> Rgb16 {
     let full = i32::from(Rgb16::FULL);
     let channel = |of: fn(&Rgb16) -> u16| {

@@ -55,6 +55,10 @@ impl<const N: usize> Coloring for Lambert<N> {
     type Vertex = Normal;
     type Prepared = PreparedLambert<N>;
 
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "a float cast saturates; channels are clamped"
+    )]
     fn prepare(&self, draw: &DrawContext) -> PreparedLambert<N> {
         // R^T l: for a rotation and a uniform scale the same as turning every normal by R.
         let turned = draw.model.transpose();
@@ -68,6 +72,10 @@ impl<const N: usize> Coloring for Lambert<N> {
     }
 
     #[inline]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "a float cast saturates; channels are clamped"
+    )]
     fn color(&self, prepared: &PreparedLambert<N>, [x, y, z]: &Normal) -> Rgb16 {
         let (x, y, z) = (i32::from(*x), i32::from(*y), i32::from(*z));
         let mut sum = [prepared.ambient.r, prepared.ambient.g, prepared.ambient.b].map(u32::from);
@@ -88,6 +96,7 @@ impl<const N: usize> Coloring for Lambert<N> {
 }
 
 /// The product of two colours, 255 x 255 being full; rounded to nearest.
+#[allow(clippy::cast_possible_truncation, reason = "a float cast saturates; channels are clamped")]
 fn times(a: Rgb, b: Rgb) -> Rgb16 {
     let channel = |a: u8, b: u8| ((u32::from(a) * u32::from(b) * 256 + 127) / 255) as u16;
     Rgb16::new(channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b))

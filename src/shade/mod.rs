@@ -29,8 +29,8 @@ pub use shader::{DrawContext, Shader};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
 pub use state::{
-    Always, AnyDepth, Counter, Counting, DepthTest, Equal, Event, Greater, GreaterEqual, Less, LessEqual,
-    NotEqual, Off, State, States, Stats, Uncounted,
+    Always, AnyDepth, Counter, Counting, DepthTest, Equal, Event, Greater, GreaterEqual, Less,
+    LessEqual, NotEqual, Off, State, States, Stats, Uncounted,
 };
 pub use varying::{Corner, Varying};
 pub use vertex_colors::VertexColors;

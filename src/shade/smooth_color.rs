@@ -40,6 +40,7 @@ const _: () = assert!((SmoothColor::PIXELS - 1) / 2 + 2 < 128, "packed channels 
 
 /// A slope of 8.24 rounded to 8.8.
 #[inline(always)]
+#[allow(clippy::cast_possible_wrap, reason = "slopes are modulo 2^32")]
 const fn packed_slope(slope: u32) -> u32 {
     // Arithmetic: the borrow of a negative red goes into blue and comes back when it is added.
     ((slope as i32).wrapping_add(0x8000) >> 16) as u32

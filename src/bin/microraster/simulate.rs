@@ -75,21 +75,11 @@ pub(crate) struct Arguments {
     depth: Switch,
 
     /// Turn the model about its upright axis, in degrees, counter-clockwise as seen from above
-    #[arg(
-        long,
-        value_name = "DEG",
-        default_value_t = 30.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "DEG", default_value_t = 30.0, allow_negative_numbers = true)]
     yaw: f32,
 
     /// Look down on the model, in degrees; negative looks up
-    #[arg(
-        long,
-        value_name = "DEG",
-        default_value_t = 20.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "DEG", default_value_t = 20.0, allow_negative_numbers = true)]
     pitch: f32,
 
     /// Draw this many pictures, in which the model turns a full circle
@@ -129,9 +119,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         render::render(view, &parts, &mut picture).map_err(|error| cannot(&error))?;
         facts.add(&picture, start.elapsed());
         let mut file = AtomicFile::create(path).map_err(|error| cannot(&error))?;
-        picture
-            .write_tga(&mut file)
-            .map_err(|error| cannot(&error))?;
+        picture.write_tga(&mut file).map_err(|error| cannot(&error))?;
         file.seal().map_err(|error| cannot(&error))?;
         files.push(file);
         bar.inc(1);
@@ -170,9 +158,7 @@ fn load(path: Option<&Path>) -> Result<(String, Model), String> {
 
 /// The file of each picture.
 fn output_paths(output: &Path, frames: Option<u16>) -> Result<Vec<PathBuf>, String> {
-    let is_tga = output
-        .extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("tga"));
+    let is_tga = output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("tga"));
     let Some(stem) = output.file_stem().filter(|_| is_tga) else {
         let output = output.display();
         return Err(format!("{output}: pictures are TGA; end the name in .tga"));
@@ -212,13 +198,7 @@ struct Facts {
 
 impl Default for Facts {
     fn default() -> Self {
-        Self {
-            drawn: 0,
-            clipped: 0,
-            pixels: 0,
-            hash: FNV1A64_START,
-            time: Duration::ZERO,
-        }
+        Self { drawn: 0, clipped: 0, pixels: 0, hash: FNV1A64_START, time: Duration::ZERO }
     }
 }
 

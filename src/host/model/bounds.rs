@@ -23,10 +23,7 @@ impl Bounds {
     #[must_use]
     pub fn of(positions: &[[f32; 3]]) -> Option<Self> {
         let (first, rest) = positions.split_first()?;
-        let mut bounds = Self {
-            min: *first,
-            max: *first,
-        };
+        let mut bounds = Self { min: *first, max: *first };
         for position in rest {
             for ((&p, min), max) in position.iter().zip(&mut bounds.min).zip(&mut bounds.max) {
                 *min = min.min(p);

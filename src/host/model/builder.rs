@@ -60,11 +60,7 @@ impl Builder {
             .iter()
             .flat_map(|(_, triangles)| triangles.iter().flatten())
             .any(|corner| corner.normal.is_none());
-        let sums = if missing {
-            self.normal_sums()
-        } else {
-            Vec::new()
-        };
+        let sums = if missing { self.normal_sums() } else { Vec::new() };
 
         let mut groups = Vec::new();
         for (material, triangles) in core::mem::take(&mut self.groups) {
@@ -83,10 +79,7 @@ impl Builder {
                     })
                 })
                 .collect();
-            groups.push(Group {
-                material,
-                triangles,
-            });
+            groups.push(Group { material, triangles });
         }
         Model {
             positions: self.positions.values,
@@ -144,13 +137,10 @@ impl<const N: usize> Distinct<N> {
         let value = value.map(|component| component + 0.0);
         let next = u32::try_from(self.values.len()).unwrap_or(u32::MAX);
         let values = &mut self.values;
-        *self
-            .known
-            .entry(value.map(f32::to_bits))
-            .or_insert_with(|| {
-                values.push(value);
-                next
-            })
+        *self.known.entry(value.map(f32::to_bits)).or_insert_with(|| {
+            values.push(value);
+            next
+        })
     }
 
     fn get(&self, index: u32) -> [f32; N] {

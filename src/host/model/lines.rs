@@ -18,10 +18,7 @@ pub(super) fn open(path: &Path, largest: u64) -> Result<BufReader<Take<File>>, S
         return Err("it is no regular file".to_owned());
     }
     if facts.len() > largest {
-        return Err(format!(
-            "it has {} bytes, and at most {largest} are read",
-            facts.len()
-        ));
+        return Err(format!("it has {} bytes, and at most {largest} are read", facts.len()));
     }
     let file = File::open(path).map_err(cannot)?;
     // The file may grow while it is read.
@@ -125,19 +122,17 @@ impl<'a, R: BufRead> Lines<'a, R> {
     /// Appends the bytes of one line, its end included; how many these are.
     fn append(&mut self) -> Result<usize, ModelError> {
         let room = Lines::LONGEST.saturating_sub(self.bytes.len());
-        let read = self
-            .reader
-            .by_ref()
-            .take(room as u64 + 1)
-            .read_until(b'\n', &mut self.bytes)
-            .map_err(|error| {
-                ModelError::new(
-                    self.path,
-                    self.last + 1,
-                    format!("it cannot be read ({error})"),
-                    "check the file",
-                )
-            })?;
+        let read =
+            self.reader.by_ref().take(room as u64 + 1).read_until(b'\n', &mut self.bytes).map_err(
+                |error| {
+                    ModelError::new(
+                        self.path,
+                        self.last + 1,
+                        format!("it cannot be read ({error})"),
+                        "check the file",
+                    )
+                },
+            )?;
         if read > room {
             return Err(ModelError::new(
                 self.path,

@@ -22,11 +22,7 @@ impl Material {
     /// A grey surface called `name`.
     #[must_use]
     pub fn named(name: &str) -> Self {
-        Self {
-            name: name.to_owned(),
-            diffuse: Self::GREY,
-            texture: None,
-        }
+        Self { name: name.to_owned(), diffuse: Self::GREY, texture: None }
     }
 
     /// [`diffuse`](Self::diffuse) with 8 bits a channel, to the nearest.
@@ -37,7 +33,6 @@ impl Material {
             clippy::cast_sign_loss,
             reason = "0..=1 times 255 fits, and a float cast saturates"
         )]
-        self.diffuse
-            .map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8)
+        self.diffuse.map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8)
     }
 }

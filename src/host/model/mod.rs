@@ -149,10 +149,7 @@ impl Model {
     #[must_use]
     pub fn bounds(&self) -> Bounds {
         // A loaded model has positions; one that a caller emptied has a box of no size.
-        Bounds::of(&self.positions).unwrap_or(Bounds {
-            min: [0.0; 3],
-            max: [0.0; 3],
-        })
+        Bounds::of(&self.positions).unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] })
     }
 
     /// The normal of the plane of `triangle`, towards the side from which its corners are
@@ -166,8 +163,7 @@ impl Model {
 }
 
 fn is_soup(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("asc"))
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("asc"))
 }
 
 #[cfg(feature = "tools")]
@@ -177,20 +173,10 @@ fn read_obj(reader: impl BufRead, path: &Path) -> Result<Model, ModelError> {
 
 #[cfg(not(feature = "tools"))]
 fn read_obj(_reader: impl BufRead, path: &Path) -> Result<Model, ModelError> {
-    Err(ModelError::new(
-        path,
-        None,
-        "this build reads no OBJ files",
-        "build with feature `tools`",
-    ))
+    Err(ModelError::new(path, None, "this build reads no OBJ files", "build with feature `tools`"))
 }
 
 /// The error of a list that grows beyond [`Model::LIMIT`].
 fn too_many(path: &Path, line: usize, what: &str) -> ModelError {
-    ModelError::new(
-        path,
-        line,
-        format!("more than {} {what}", Model::LIMIT),
-        "simplify the model",
-    )
+    ModelError::new(path, line, format!("more than {} {what}", Model::LIMIT), "simplify the model")
 }

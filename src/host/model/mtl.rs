@@ -56,10 +56,7 @@ pub(super) fn read_all(
                 Err(reason) => warnings.push(
                     model,
                     *line,
-                    format!(
-                        "the material library {} is left out: {reason}",
-                        quoted(name)
-                    ),
+                    format!("the material library {} is left out: {reason}", quoted(name)),
                 ),
             }
         }

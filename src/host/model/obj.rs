@@ -120,13 +120,11 @@ fn finite<const N: usize>(vector: [f32; N]) -> Option<[f32; N]> {
 }
 
 fn triples(list: &[f32]) -> impl Iterator<Item = [f32; 3]> + '_ {
-    list.chunks_exact(3)
-        .filter_map(|chunk| chunk.try_into().ok())
+    list.chunks_exact(3).filter_map(|chunk| chunk.try_into().ok())
 }
 
 fn pairs(list: &[f32]) -> impl Iterator<Item = [f32; 2]> + '_ {
-    list.chunks_exact(2)
-        .filter_map(|chunk| chunk.try_into().ok())
+    list.chunks_exact(2).filter_map(|chunk| chunk.try_into().ok())
 }
 
 fn triple(list: &[f32], index: usize) -> Option<[f32; 3]> {

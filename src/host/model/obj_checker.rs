@@ -108,11 +108,7 @@ impl Checker<'_> {
     fn position(&mut self, line: usize, numbers: &str) -> Result<(), ModelError> {
         let words = self.numbers(line, numbers, 3, "a position")?;
         // Faces with such a position are left out later, when it is known which these are.
-        if words
-            .iter()
-            .flatten()
-            .any(|(_, number)| !number.is_finite())
-        {
+        if words.iter().flatten().any(|(_, number)| !number.is_finite()) {
             let reason = "a position is infinite or no number; its faces are left out";
             self.warnings.push(self.path, line, reason);
         }
@@ -125,21 +121,12 @@ impl Checker<'_> {
         let [u, v, _] = self.numbers(line, numbers, 1, "a texture coordinate")?;
         let zero = Some(("0", 0.0));
         let mut words = [u, v.or(zero), None];
-        if words
-            .iter()
-            .flatten()
-            .any(|(_, number)| !number.is_finite())
-        {
+        if words.iter().flatten().any(|(_, number)| !number.is_finite()) {
             let reason = "a texture coordinate is infinite or no number; it becomes 0 0";
             self.warnings.push(self.path, line, reason);
             words = [zero, zero, None];
         }
-        count(
-            &mut self.texture_coordinates,
-            self.path,
-            line,
-            "texture coordinates",
-        )?;
+        count(&mut self.texture_coordinates, self.path, line, "texture coordinates")?;
         self.write("vt", words);
         Ok(())
     }

@@ -65,10 +65,7 @@ fn corner(builder: &mut Builder, patch: &[u16; 16], u: f64, v: f64) -> RawCorner
     // Where an edge is one point its derivative vanishes: take it a little further inside.
     let inside = |t: f64| t.clamp(1e-4, 1.0 - 1e-4);
     let (s, t) = (inside(u), inside(v));
-    let normal = cross(
-        sum(patch, slope(s), bernstein(t)),
-        sum(patch, bernstein(s), slope(t)),
-    );
+    let normal = cross(sum(patch, slope(s), bernstein(t)), sum(patch, bernstein(s), slope(t)));
     RawCorner {
         position: builder.position(narrow(position)),
         normal: unit(normal).and_then(|normal| builder.normal(normal)),
@@ -83,16 +80,13 @@ fn point(patch: &[u16; 16], u: f64, v: f64) -> Vector {
 /// The control points, each times its two weights.
 fn sum(patch: &[u16; 16], u: [f64; 4], v: [f64; 4]) -> Vector {
     let weights = v.into_iter().flat_map(|v| u.map(|u| u * v));
-    patch
-        .iter()
-        .zip(weights)
-        .fold([0.0; 3], |sum, (&number, weight)| {
-            let place = usize::from(number).saturating_sub(1);
-            let [x, y, z] = POINTS.get(place).copied().unwrap_or_default();
-            // From z up to y up.
-            let point = [x, z, -y].map(|c| f64::from(c) * weight);
-            add(sum, point)
-        })
+    patch.iter().zip(weights).fold([0.0; 3], |sum, (&number, weight)| {
+        let place = usize::from(number).saturating_sub(1);
+        let [x, y, z] = POINTS.get(place).copied().unwrap_or_default();
+        // From z up to y up.
+        let point = [x, z, -y].map(|c| f64::from(c) * weight);
+        add(sum, point)
+    })
 }
 
 /// The cubic Bernstein polynomials.
@@ -104,12 +98,7 @@ fn bernstein(t: f64) -> [f64; 4] {
 /// Their derivatives.
 fn slope(t: f64) -> [f64; 4] {
     let s = 1.0 - t;
-    [
-        -3.0 * s * s,
-        3.0 * s * (s - 2.0 * t),
-        3.0 * t * (2.0 * s - t),
-        3.0 * t * t,
-    ]
+    [-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t]
 }
 
 /// Seams between patches are computed twice, from either side: in `f64`, and rounded to a grid far
@@ -176,10 +165,7 @@ mod tests {
         }
         // Open are only the rims: the lid's, the body's, and the ends of spout and handle, each a
         // ring of four patches or a half ring of two.
-        let open = edges
-            .keys()
-            .filter(|&&(from, to)| !edges.contains_key(&(to, from)))
-            .count();
+        let open = edges.keys().filter(|&&(from, to)| !edges.contains_key(&(to, from))).count();
         assert_eq!(open % 7, 0, "{open} open edges");
         assert!(open <= 7 * 16, "{open} open edges");
     }

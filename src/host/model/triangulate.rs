@@ -111,8 +111,7 @@ impl Triangulator {
     fn cut_ears(&mut self) {
         let corners = self.plane.len();
         self.before.clear();
-        self.before
-            .extend((0..corners).map(|i| (i + corners - 1) % corners));
+        self.before.extend((0..corners).map(|i| (i + corners - 1) % corners));
         self.after.clear();
         self.after.extend((0..corners).map(|i| (i + 1) % corners));
         let reflex = (0..corners).filter(|&corner| self.turn_at(corner) <= 0.0);
@@ -138,11 +137,7 @@ impl Triangulator {
             failures += 1;
             if failures > left {
                 failures = 0;
-                ear = if ear == Ear::Proper {
-                    Ear::Flat
-                } else {
-                    Ear::Any
-                };
+                ear = if ear == Ear::Proper { Ear::Flat } else { Ear::Any };
             }
         }
         let (before, after) = (self.before_of(corner), self.after_of(corner));
@@ -273,14 +268,8 @@ mod tests {
 
     #[test]
     fn concave_outlines_keep_their_area() {
-        let l: &[[f32; 3]] = &[
-            [0., 0., 0.],
-            [4., 0., 0.],
-            [4., 1., 0.],
-            [1., 1., 0.],
-            [1., 4., 0.],
-            [0., 4., 0.],
-        ];
+        let l: &[[f32; 3]] =
+            &[[0., 0., 0.], [4., 0., 0.], [4., 1., 0.], [1., 1., 0.], [1., 4., 0.], [0., 4., 0.]];
         // The same with corners on straight edges.
         let l_with_more: &[[f32; 3]] = &[
             [0., 0., 0.],
@@ -349,9 +338,6 @@ mod tests {
             let (sum, size) = area(&polygon, triangles);
             assert!((sum - size).abs() < 1e-9, "{corners}: no part twice");
         }
-        assert!(
-            !triangulator.is_exhausted(),
-            "no face here is too intricate"
-        );
+        assert!(!triangulator.is_exhausted(), "no face here is too intricate");
     }
 }

@@ -28,10 +28,7 @@ impl fmt::Display for TgaError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooLarge { width, height } => {
-                write!(
-                    f,
-                    "a TGA picture has at most 65535x65535 pixels, not {width}x{height}"
-                )
+                write!(f, "a TGA picture has at most 65535x65535 pixels, not {width}x{height}")
             }
             Self::WrongLength { needed, got } => {
                 write!(f, "the picture needs {needed} pixels and got {got}")

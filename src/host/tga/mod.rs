@@ -45,12 +45,9 @@ impl Tga {
     /// file then has no pixels.
     pub fn new(width: usize, height: usize) -> Result<Self, TgaError> {
         match (u16::try_from(width), u16::try_from(height)) {
-            (Ok(width), Ok(height)) => Ok(Self {
-                width,
-                height,
-                origin: TgaOrigin::default(),
-                depth: TgaDepth::default(),
-            }),
+            (Ok(width), Ok(height)) => {
+                Ok(Self { width, height, origin: TgaOrigin::default(), depth: TgaDepth::default() })
+            }
             _ => Err(TgaError::TooLarge { width, height }),
         }
     }
@@ -79,10 +76,7 @@ impl Tga {
         let width = usize::from(self.width);
         let needed = width * usize::from(self.height);
         if pixels.len() != needed {
-            return Err(TgaError::WrongLength {
-                needed,
-                got: pixels.len(),
-            });
+            return Err(TgaError::WrongLength { needed, got: pixels.len() });
         }
         self.write_with(output, |x, y| {
             let index = usize::from(y) * width + usize::from(x);

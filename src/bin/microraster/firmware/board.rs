@@ -33,24 +33,9 @@ pub(crate) const BOARDS: [Board; 7] = [
         machine: "mps2-an385",
         symbols: &[],
     },
-    Board {
-        name: "m3",
-        target: "thumbv7m-none-eabi",
-        machine: "mps2-an385",
-        symbols: &[],
-    },
-    Board {
-        name: "m4",
-        target: "thumbv7em-none-eabihf",
-        machine: "mps2-an386",
-        symbols: &[],
-    },
-    Board {
-        name: "m7",
-        target: "thumbv7em-none-eabihf",
-        machine: "mps2-an500",
-        symbols: &[],
-    },
+    Board { name: "m3", target: "thumbv7m-none-eabi", machine: "mps2-an385", symbols: &[] },
+    Board { name: "m4", target: "thumbv7em-none-eabihf", machine: "mps2-an386", symbols: &[] },
+    Board { name: "m7", target: "thumbv7em-none-eabihf", machine: "mps2-an500", symbols: &[] },
     Board {
         name: "m33",
         target: "thumbv8m.main-none-eabihf",
@@ -86,14 +71,8 @@ pub(crate) const BOARDS: [Board; 7] = [
 /// # Errors
 /// A name that no board has.
 pub(crate) fn find(name: &str) -> Result<&'static Board, String> {
-    BOARDS
-        .iter()
-        .find(|board| board.name == name)
-        .ok_or_else(|| {
-            let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
-            format!(
-                "there is no board `{name}`; choose from {}",
-                names.join(", ")
-            )
-        })
+    BOARDS.iter().find(|board| board.name == name).ok_or_else(|| {
+        let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
+        format!("there is no board `{name}`; choose from {}", names.join(", "))
+    })
 }

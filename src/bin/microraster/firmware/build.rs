@@ -41,16 +41,12 @@ impl House {
         let package = std::env::var_os("CARGO_MANIFEST_DIR")
             .map_or_else(|| PathBuf::from("."), PathBuf::from);
         if !package.join("examples/firmware.rs").is_file() || !package.join("memory.x").is_file() {
-            return Err(
-                "examples/firmware.rs and memory.x are not here: firmware is built from \
+            return Err("examples/firmware.rs and memory.x are not here: firmware is built from \
                         the crate's repository; run `cargo firmware` inside a clone of it"
-                    .into(),
-            );
+                .into());
         }
-        let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(
-            || package.join("target"),
-            |folder| package.join(PathBuf::from(folder)),
-        );
+        let target = std::env::var_os("CARGO_TARGET_DIR")
+            .map_or_else(|| package.join("target"), |folder| package.join(PathBuf::from(folder)));
         Ok(Self { package, target })
     }
 
@@ -72,18 +68,12 @@ impl House {
     pub(crate) fn example(&self, name: &str, board: &Board) -> Result<PathBuf, String> {
         let mut arguments = vec!["--example", name];
         arguments.push("--");
-        let symbols: Vec<_> = board
-            .symbols
-            .iter()
-            .map(|symbol| format!("link-arg=--defsym=__{symbol}"))
-            .collect();
+        let symbols: Vec<_> =
+            board.symbols.iter().map(|symbol| format!("link-arg=--defsym=__{symbol}")).collect();
         for symbol in &symbols {
             arguments.extend(["-C", symbol]);
         }
-        let built = self
-            .cargo(board.target, &arguments)?
-            .join("examples")
-            .join(name);
+        let built = self.cargo(board.target, &arguments)?.join("examples").join(name);
         let kept = self.firmware()?.join(format!("{name}-{}.elf", board.name));
         std::fs::copy(&built, &kept)
             .map_err(|why| format!("cannot copy {}: {why}", built.display()))?;
@@ -113,14 +103,7 @@ impl House {
         for name in FOREIGN {
             command.env_remove(name);
         }
-        command.args([
-            "rustc",
-            "--locked",
-            "--release",
-            "--quiet",
-            "--target",
-            target,
-        ]);
+        command.args(["rustc", "--locked", "--release", "--quiet", "--target", target]);
         command.args(arguments);
         if let Toolchain::Debian { linker } = &toolchain {
             // The compiler is a release; building core needs its unstable half.
@@ -140,9 +123,7 @@ impl House {
         if status.success() {
             Ok(folder.join(target).join("release"))
         } else {
-            Err(format!(
-                "the build for {target} failed; cargo says why above"
-            ))
+            Err(format!("the build for {target} failed; cargo says why above"))
         }
     }
 }
@@ -169,9 +150,7 @@ impl Toolchain {
         }
         let debian = text_of(DEBIAN_RUSTC, &["--print", "sysroot"]).unwrap_or_default();
         let source = "lib/rustlib/src/rust/library/core";
-        let linker = LINKERS
-            .into_iter()
-            .find(|name| text_of(name, &["--version"]).is_some());
+        let linker = LINKERS.into_iter().find(|name| text_of(name, &["--version"]).is_some());
         match linker {
             Some(linker) if Path::new(DEBIAN_CARGO).exists() && has(&debian, source) => {
                 Ok(Self::Debian { linker })

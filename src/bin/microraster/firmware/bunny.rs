@@ -31,24 +31,14 @@ pub(crate) fn find(package: &Path) -> Result<PathBuf, String> {
 /// A file that is no mesh of at most 65 536 vertices.
 pub(crate) fn convert(file: &Path) -> Result<Vec<u32>, String> {
     let problem = |why: String| format!("{}: {why}", file.display());
-    let options = tobj::LoadOptions {
-        single_index: true,
-        triangulate: true,
-        ..Default::default()
-    };
+    let options = tobj::LoadOptions { single_index: true, triangulate: true, ..Default::default() };
     let (models, _) = tobj::load_obj(file, &options).map_err(|why| problem(why.to_string()))?;
     let mut points: Vec<[f32; 3]> = Vec::new();
     let mut indices = Vec::new();
     for model in models {
         let first = points.len();
         points.extend(model.mesh.positions.as_chunks::<3>().0);
-        indices.extend(
-            model
-                .mesh
-                .indices
-                .iter()
-                .map(|&index| index as usize + first),
-        );
+        indices.extend(model.mesh.indices.iter().map(|&index| index as usize + first));
     }
     if indices.is_empty() || indices.iter().any(|&index| index >= points.len()) {
         return Err(problem("no triangles, or indices out of range".into()));
@@ -64,11 +54,7 @@ pub(crate) fn convert(file: &Path) -> Result<Vec<u32>, String> {
     for value in [scale, offset[0], offset[1], offset[2]] {
         bytes.extend(value.to_le_bytes());
     }
-    debug_assert_eq!(
-        bytes.len(),
-        HEADER,
-        "the header's size is part of the format"
-    );
+    debug_assert_eq!(bytes.len(), HEADER, "the header's size is part of the format");
     for point in &points {
         for (value, middle) in point.iter().zip(offset) {
             bytes.extend(step((value - middle) / scale).to_le_bytes());
@@ -84,19 +70,11 @@ pub(crate) fn convert(file: &Path) -> Result<Vec<u32>, String> {
         }
     }
     bytes.resize(bytes.len().next_multiple_of(4), 0);
-    Ok(bytes
-        .as_chunks::<4>()
-        .0
-        .iter()
-        .map(|word| u32::from_ne_bytes(*word))
-        .collect())
+    Ok(bytes.as_chunks::<4>().0.iter().map(|word| u32::from_ne_bytes(*word)).collect())
 }
 
 /// The nearest whole step.
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "callers divide by the largest extent"
-)]
+#[allow(clippy::cast_possible_truncation, reason = "callers divide by the largest extent")]
 fn step(value: f32) -> i16 {
     value.round() as i16
 }
@@ -110,13 +88,8 @@ fn frame_of(points: &[[f32; 3]]) -> (f32, [f32; 3]) {
             high[axis] = high[axis].max(point[axis]);
         }
     }
-    let half = (0..3)
-        .map(|axis| (high[axis] - low[axis]) / 2.0)
-        .fold(f32::MIN_POSITIVE, f32::max);
-    (
-        half / f32::from(i16::MAX),
-        std::array::from_fn(|axis| (low[axis] + high[axis]) / 2.0),
-    )
+    let half = (0..3).map(|axis| (high[axis] - low[axis]) / 2.0).fold(f32::MIN_POSITIVE, f32::max);
+    (half / f32::from(i16::MAX), std::array::from_fn(|axis| (low[axis] + high[axis]) / 2.0))
 }
 
 /// Smooth normals of length 1, each face weighted by its area.
@@ -126,11 +99,8 @@ fn normals(points: &[[f32; 3]], indices: &[usize]) -> Vec<[f32; 3]> {
         let edge =
             |to: usize| -> [f32; 3] { std::array::from_fn(|i| points[to][i] - points[a][i]) };
         let (u, v) = (edge(b), edge(c));
-        let cross = [
-            u[1] * v[2] - u[2] * v[1],
-            u[2] * v[0] - u[0] * v[2],
-            u[0] * v[1] - u[1] * v[0],
-        ];
+        let cross =
+            [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
         for corner in [a, b, c] {
             for (sum, part) in sums[corner].iter_mut().zip(cross) {
                 *sum += part;
@@ -161,20 +131,14 @@ mod tests {
         assert_eq!(model.indices, [0, 1, 2]);
         assert_eq!(model.normals, [[0, 0, 127]; 3]);
         assert_eq!(model.positions[1], [32767, -16384, 0]);
-        assert_eq!(
-            model.offset.map(f32::to_bits),
-            [1f32, 1.0, 0.0].map(f32::to_bits)
-        );
+        assert_eq!(model.offset.map(f32::to_bits), [1f32, 1.0, 0.0].map(f32::to_bits));
     }
 
     #[test]
     fn a_cut_file_is_no_model() {
         let mut words = vec![0u32; 8];
         bytemuck::cast_slice_mut(&mut words)[..8].copy_from_slice(&MAGIC);
-        assert!(
-            Model::view(bytemuck::cast_slice(&words)).is_some(),
-            "an empty mesh is one"
-        );
+        assert!(Model::view(bytemuck::cast_slice(&words)).is_some(), "an empty mesh is one");
         words[2] = 1;
         assert_eq!(Model::view(bytemuck::cast_slice(&words)), None);
     }

@@ -112,24 +112,15 @@ impl Elf {
 
     /// Bytes of flash: all that is stored.
     pub(crate) fn flash(&self) -> u32 {
-        self.sections
-            .iter()
-            .filter(|section| section.stored)
-            .map(|section| section.size)
-            .sum()
+        self.sections.iter().filter(|section| section.stored).map(|section| section.size).sum()
     }
 
     /// Bytes of RAM: all that is written at run time. Sections that only set room aside for the
     /// stack or a heap are no use of it.
     pub(crate) fn ram(&self) -> u32 {
         let room = |section: &&Section| [".stack", ".heap"].contains(&section.name.as_str());
-        let used = self
-            .sections
-            .iter()
-            .filter(|section| section.writable || !section.stored);
-        used.filter(|section| !room(section))
-            .map(|section| section.size)
-            .sum()
+        let used = self.sections.iter().filter(|section| section.writable || !section.stored);
+        used.filter(|section| !room(section)).map(|section| section.size).sum()
     }
 
     /// A symbol that only a heap needs, if one is linked.
@@ -227,11 +218,7 @@ mod tests {
     #[test]
     fn two_names_of_one_place_weigh_once() {
         let elf = Elf::read(&file()).expect("the file is whole");
-        let draw = Symbol {
-            name: "draw".into(),
-            section: ".text".into(),
-            size: 24,
-        };
+        let draw = Symbol { name: "draw".into(), section: ".text".into(), size: 24 };
         assert_eq!(elf.symbols, [draw]);
         assert_eq!(elf.names, ["", "draw", "alias"]);
         assert_eq!(elf.allocator(), None);
@@ -241,10 +228,7 @@ mod tests {
     fn a_file_cut_anywhere_is_an_error_and_never_a_panic() {
         let whole = file();
         for length in 0..whole.len() - (SECTION_HEADER - 28) {
-            assert!(
-                Elf::read(&whole[..length]).is_err(),
-                "{length} bytes were accepted"
-            );
+            assert!(Elf::read(&whole[..length]).is_err(), "{length} bytes were accepted");
         }
     }
 }

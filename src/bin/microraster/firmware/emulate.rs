@@ -35,12 +35,7 @@ pub(crate) fn run(
         .args(["-machine", board.machine])
         .args(["-display", "none", "-monitor", "none", "-serial", "none"])
         .args(["-icount", "shift=7", "-semihosting-config", &semihosting])
-        .args(
-            plugin
-                .map(|plugin| ["-plugin", plugin])
-                .into_iter()
-                .flatten(),
-        )
+        .args(plugin.map(|plugin| ["-plugin", plugin]).into_iter().flatten())
         .arg("-kernel")
         .arg(elf)
         .current_dir(folder)

@@ -46,12 +46,8 @@ pub(crate) fn draw(scene: &Scene<Counter>, bunny: Option<Model<'_>>, limit: u32)
             color.fill(0);
             depth.fill(0);
             let mut counter = Counter::default();
-            let mut stage = Stage {
-                color: &mut color,
-                depth: &mut depth,
-                cache: &mut cache,
-                bunny,
-            };
+            let mut stage =
+                Stage { color: &mut color, depth: &mut depth, cache: &mut cache, bunny };
             let facts = (scene.draw)(&mut stage, frame, &mut counter);
             Frame {
                 hash: hash::picture(&color, facts.bytes),
@@ -84,9 +80,7 @@ pub(crate) fn asked(names: &[String]) -> Result<Vec<Scene<Counter>>, String> {
             ));
         }
     }
-    Ok(scenes()
-        .filter(|scene| names.iter().any(|name| wants(scene, name)))
-        .collect())
+    Ok(scenes().filter(|scene| names.iter().any(|name| wants(scene, name))).collect())
 }
 
 /// One line of facts: a scene on a board.
@@ -123,18 +117,14 @@ impl Line {
                 )
             })
         } else {
-            Some(format!(
-                "the board drew {} frames, the host {}",
-                drawn.len(),
-                expected.len()
-            ))
+            Some(format!("the board drew {} frames, the host {}", drawn.len(), expected.len()))
         };
         // Of several frames, the hash of their hashes, as the board drew them.
         let hash = match drawn {
             [one] => one.hash,
-            several => several.iter().fold(hash::START, |state, frame| {
-                hash::fnv1a(state, &frame.hash.to_le_bytes())
-            }),
+            several => several
+                .iter()
+                .fold(hash::START, |state, frame| hash::fnv1a(state, &frame.hash.to_le_bytes())),
         };
         Self {
             board,
@@ -142,10 +132,7 @@ impl Line {
             frames: drawn.len() as u64,
             instructions: drawn.iter().map(|frame| frame.instructions).sum(),
             pixels: expected.iter().map(|frame| frame.pixels).sum(),
-            triangles: expected
-                .iter()
-                .map(|frame| u64::from(frame.triangles))
-                .sum(),
+            triangles: expected.iter().map(|frame| u64::from(frame.triangles)).sum(),
             hash,
             differs,
         }
@@ -155,11 +142,7 @@ impl Line {
 impl fmt::Display for Line {
     /// Figures are the means of a frame.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mean = |sum: u64| {
-            (sum + self.frames / 2)
-                .checked_div(self.frames)
-                .unwrap_or(0)
-        };
+        let mean = |sum: u64| (sum + self.frames / 2).checked_div(self.frames).unwrap_or(0);
         write!(
             f,
             "board={} scene={} instructions={} pixels={} triangles={}",
@@ -186,22 +169,11 @@ mod tests {
     use super::*;
 
     fn drawn(frame: u32, hash: u64) -> Drawn {
-        Drawn {
-            scene: "S1".into(),
-            frame,
-            instructions: 1000,
-            hash,
-            bytes: 8,
-        }
+        Drawn { scene: "S1".into(), frame, instructions: 1000, hash, bytes: 8 }
     }
 
     fn expected(hash: u64) -> Frame {
-        Frame {
-            hash,
-            bytes: 8,
-            triangles: 10,
-            pixels: 400,
-        }
+        Frame { hash, bytes: 8, triangles: 10, pixels: 400 }
     }
 
     #[test]
@@ -218,10 +190,7 @@ mod tests {
     fn several_frames_give_means_and_one_hash() {
         let frames = [drawn(0, 7), drawn(1, 8)];
         let line = Line::compare("m4", "S1", &frames, &[expected(7), expected(8)]).to_string();
-        assert!(
-            line.contains("instructions=1000 pixels=400 triangles=10"),
-            "printed {line}"
-        );
+        assert!(line.contains("instructions=1000 pixels=400 triangles=10"), "printed {line}");
         let swapped = [drawn(0, 8), drawn(1, 7)];
         let other = Line::compare("m4", "S1", &swapped, &[expected(8), expected(7)]).to_string();
         assert!(line != other, "the order of frames must change the hash");
@@ -232,10 +201,7 @@ mod tests {
         let frames = [drawn(0, 7), drawn(1, 9)];
         let line = Line::compare("m4", "S1", &frames, &[expected(7), expected(8)]);
         assert!(line.to_string().ends_with("equal=no"), "printed {line}");
-        assert!(
-            line.differs.is_some_and(|why| why.starts_with("frame 1")),
-            "which frame"
-        );
+        assert!(line.differs.is_some_and(|why| why.starts_with("frame 1")), "which frame");
         let line = Line::compare("m4", "S1", &frames[..1], &[expected(7), expected(8)]);
         assert!(line.differs.is_some(), "a frame is missing");
     }

@@ -36,11 +36,9 @@ impl Report {
             let known = if line.starts_with("scene=") {
                 drawn(line).map(|frame| frames.push(frame))
             } else {
-                value(line, "stack")
-                    .and_then(|text| text.parse().ok())
-                    .map(|depth| {
-                        stack = Some(depth);
-                    })
+                value(line, "stack").and_then(|text| text.parse().ok()).map(|depth| {
+                    stack = Some(depth);
+                })
             };
             known
                 .ok_or_else(|| format!("the firmware printed a line of no known form: `{line}`"))?;
@@ -64,8 +62,7 @@ fn drawn(line: &str) -> Option<Drawn> {
 
 /// The value of the word `name=value` of a line.
 fn value<'a>(line: &'a str, name: &str) -> Option<&'a str> {
-    line.split_whitespace()
-        .find_map(|word| word.strip_prefix(name)?.strip_prefix('='))
+    line.split_whitespace().find_map(|word| word.strip_prefix(name)?.strip_prefix('='))
 }
 
 #[cfg(test)]
@@ -84,22 +81,13 @@ mod tests {
             hash: 0x00ff_00ff_00ff_00ff,
             bytes: 153_600,
         };
-        assert_eq!(
-            report,
-            Ok(Report {
-                frames: vec![frame],
-                stack: 412
-            })
-        );
+        assert_eq!(report, Ok(Report { frames: vec![frame], stack: 412 }));
     }
 
     #[test]
     fn a_run_that_stopped_early_is_an_error() {
         let message = Report::read(FRAME).expect_err("there is no last line");
-        assert!(
-            message.contains("stopped before"),
-            "the message is: {message}"
-        );
+        assert!(message.contains("stopped before"), "the message is: {message}");
     }
 
     #[test]

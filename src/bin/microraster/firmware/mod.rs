@@ -41,20 +41,10 @@ it are skipped, or fail when MICRORASTER_REQUIRE_SHARED is set.";
 #[command(after_help = HELP)]
 pub(crate) struct Arguments {
     /// Boards, of m0, m3, m4, m7, m33, m55 and rv32.
-    #[arg(
-        long,
-        value_delimiter = ',',
-        default_value = "m4,m0",
-        value_name = "BOARD"
-    )]
+    #[arg(long, value_delimiter = ',', default_value = "m4,m0", value_name = "BOARD")]
     boards: Vec<String>,
     /// Scenes by name, or the lists `golden`, `standard` and `all`.
-    #[arg(
-        long,
-        value_delimiter = ',',
-        default_value = "all",
-        value_name = "SCENE"
-    )]
+    #[arg(long, value_delimiter = ',', default_value = "all", value_name = "SCENE")]
     scenes: Vec<String>,
     /// Draw only the first frames of each scene.
     #[arg(long, value_name = "N")]
@@ -82,11 +72,8 @@ pub(crate) struct Arguments {
 /// What is missing, what failed, or that a board drew another picture than the host.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let house = House::find()?;
-    let boards: Vec<_> = arguments
-        .boards
-        .iter()
-        .map(|name| board::find(name))
-        .collect::<Result<_, _>>()?;
+    let boards: Vec<_> =
+        arguments.boards.iter().map(|name| board::find(name)).collect::<Result<_, _>>()?;
     if arguments.library {
         return LIBRARY_TARGETS.iter().try_for_each(|target| {
             house.library(target)?;
@@ -98,15 +85,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         return sizes::print(&house, &boards, arguments.verbose);
     }
 
-    let names = arguments
-        .profile
-        .as_ref()
-        .map_or(arguments.scenes.as_slice(), std::slice::from_ref);
+    let names =
+        arguments.profile.as_ref().map_or(arguments.scenes.as_slice(), std::slice::from_ref);
     let mut scenes = facts::asked(names)?;
     let mesh = mesh(&house, &mut scenes)?;
-    let bunny = mesh
-        .as_ref()
-        .and_then(|words| Model::view(bytemuck::cast_slice(words)));
+    let bunny = mesh.as_ref().and_then(|words| Model::view(bytemuck::cast_slice(words)));
     let limit = arguments.frames.unwrap_or(u32::MAX);
     let mut words: Vec<_> = scenes.iter().map(|scene| scene.name.to_string()).collect();
     words.push(format!("frames={limit}"));
@@ -116,10 +99,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
             .try_for_each(|board| profile::print(&house, board, &words, arguments.rows));
     }
 
-    let expected: Vec<_> = scenes
-        .iter()
-        .map(|scene| facts::draw(scene, bunny, limit))
-        .collect();
+    let expected: Vec<_> = scenes.iter().map(|scene| facts::draw(scene, bunny, limit)).collect();
     let mut wrong = 0;
     for board in boards {
         wrong += compare(&house, board, &scenes, &expected, &words, arguments.verbose)?;
@@ -127,9 +107,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     if wrong == 0 {
         Ok(())
     } else {
-        Err(format!(
-            "{wrong} scenes differ between a board and the host"
-        ))
+        Err(format!("{wrong} scenes differ between a board and the host"))
     }
 }
 
@@ -174,20 +152,14 @@ fn compare(
     let bytes = std::fs::read(&file).map_err(|why| format!("{}: {why}", file.display()))?;
     let elf = Elf::read(&bytes).map_err(|why| format!("{}: {why}", file.display()))?;
     if let Some(name) = elf.allocator() {
-        return Err(format!(
-            "the firmware of {} links a heap: {name}",
-            board.name
-        ));
+        return Err(format!("the firmware of {} links a heap: {name}", board.name));
     }
     let printed = emulate::run(board, &file, &house.firmware()?, words, None)?;
     let report = lines::Report::read(&printed)?;
 
     let mut wrong = 0;
     for (scene, expected) in scenes.iter().zip(expected) {
-        let own = report
-            .frames
-            .iter()
-            .filter(|frame| frame.scene == scene.name);
+        let own = report.frames.iter().filter(|frame| frame.scene == scene.name);
         let drawn: Vec<_> = own.cloned().collect();
         let line = Line::compare(board.name, scene.name, &drawn, expected);
         println!("{line}");
@@ -196,13 +168,7 @@ fn compare(
             wrong += 1;
         }
     }
-    println!(
-        "board={} flash={} ram={} stack={}",
-        board.name,
-        elf.flash(),
-        elf.ram(),
-        report.stack
-    );
+    println!("board={} flash={} ram={} stack={}", board.name, elf.flash(), elf.ram(), report.stack);
     if verbose {
         for section in elf.sections.iter().filter(|section| section.size > 0) {
             let memory = match (section.stored, section.writable) {
@@ -210,10 +176,7 @@ fn compare(
                 (true, false) => "flash",
                 (false, _) => "ram",
             };
-            println!(
-                "board={} section={} {memory}={}",
-                board.name, section.name, section.size
-            );
+            println!("board={} section={} {memory}={}", board.name, section.name, section.size);
         }
     }
     Ok(wrong)

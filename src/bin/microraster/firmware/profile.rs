@@ -43,15 +43,7 @@ fn build(house: &House) -> Result<PathBuf, String> {
     ));
     let compiler = std::env::var_os("RUSTC").unwrap_or("rustc".into());
     let status = Command::new(compiler)
-        .args([
-            "-O",
-            "--edition",
-            "2021",
-            "--crate-type",
-            "cdylib",
-            SOURCE,
-            "-o",
-        ])
+        .args(["-O", "--edition", "2021", "--crate-type", "cdylib", SOURCE, "-o"])
         .arg(&plugin)
         .current_dir(&house.package)
         .status()

@@ -36,37 +36,15 @@ impl Kind {
         {
             Self::Panic
         } else if starts(&["compiler_builtins::", "<compiler_builtins"])
-            || starts(&[
-                "__aeabi_", "mem", "__mul", "__div", "__udiv", "__mod", "__umod",
-            ])
-            || starts(&[
-                "__add", "__sub", "__float", "__fix", "__clz", "__ash", "__lsh", "__cmp",
-            ])
+            || starts(&["__aeabi_", "mem", "__mul", "__div", "__udiv", "__mod", "__umod"])
+            || starts(&["__add", "__sub", "__float", "__fix", "__clz", "__ash", "__lsh", "__cmp"])
         {
             Self::Builtins
         } else if !own
             && (has(&["cortex_m_rt", "riscv_rt"])
-                || starts(&[
-                    "Reset",
-                    "main",
-                    "HardFault",
-                    "DefaultHandler",
-                    "DefaultPreInit",
-                ])
-                || starts(&[
-                    "_start",
-                    "_default",
-                    "_setup",
-                    "_continue",
-                    "_dispatch",
-                    "__pre",
-                ])
-                || starts(&[
-                    "__EXCEPTIONS",
-                    "__INTERRUPTS",
-                    "__RESET",
-                    "ExceptionHandler",
-                ]))
+                || starts(&["Reset", "main", "HardFault", "DefaultHandler", "DefaultPreInit"])
+                || starts(&["_start", "_default", "_setup", "_continue", "_dispatch", "__pre"])
+                || starts(&["__EXCEPTIONS", "__INTERRUPTS", "__RESET", "ExceptionHandler"]))
         {
             Self::Runtime
         } else if !own && starts(&["core::", "<core::", "<&", "<u", "<i"]) {
@@ -104,18 +82,8 @@ impl Weights {
         }
         // The vector table counts as runtime in full, also what no symbol names.
         let vectors = |name: &str| name.starts_with(".vector");
-        let table: u32 = elf
-            .sections
-            .iter()
-            .filter(|s| vectors(&s.name))
-            .map(|s| s.size)
-            .sum();
-        let named = elf
-            .symbols
-            .iter()
-            .filter(|s| vectors(&s.section))
-            .map(|s| s.size)
-            .sum();
+        let table: u32 = elf.sections.iter().filter(|s| vectors(&s.name)).map(|s| s.size).sum();
+        let named = elf.symbols.iter().filter(|s| vectors(&s.section)).map(|s| s.size).sum();
         weights.runtime += table.saturating_sub(named);
         let listed =
             weights.own + weights.core + weights.runtime + weights.panic + weights.builtins;
@@ -188,11 +156,7 @@ fn symbols(elf: &Elf) {
     symbols.sort_by(|a, b| b.size.cmp(&a.size).then_with(|| a.name.cmp(&b.name)));
     for symbol in symbols {
         let kind = format!("{:?}", Kind::of(symbol)).to_lowercase();
-        println!(
-            "    {:6} {kind:9} {:#}",
-            symbol.size,
-            rustc_demangle::demangle(&symbol.name)
-        );
+        println!("    {:6} {kind:9} {:#}", symbol.size, rustc_demangle::demangle(&symbol.name));
     }
 }
 
@@ -201,28 +165,15 @@ mod tests {
     use super::*;
 
     fn kind(name: &str) -> Kind {
-        Kind::of(&Symbol {
-            name: name.into(),
-            section: ".text".into(),
-            size: 4,
-        })
+        Kind::of(&Symbol { name: name.into(), section: ".text".into(), size: 4 })
     }
 
     #[test]
     fn symbols_are_told_apart_by_their_names() {
-        assert_eq!(
-            kind("_ZN11microraster6raster5spans4next17h0123456789abcdefE"),
-            Kind::Own
-        );
-        assert_eq!(
-            kind("_ZN4core9panicking5panic17h0123456789abcdefE"),
-            Kind::Panic
-        );
+        assert_eq!(kind("_ZN11microraster6raster5spans4next17h0123456789abcdefE"), Kind::Own);
+        assert_eq!(kind("_ZN4core9panicking5panic17h0123456789abcdefE"), Kind::Panic);
         assert_eq!(kind("rust_begin_unwind"), Kind::Panic);
-        assert_eq!(
-            kind("_ZN11microraster5depth10depth_fail17h0123456789abcdefE"),
-            Kind::Own
-        );
+        assert_eq!(kind("_ZN11microraster5depth10depth_fail17h0123456789abcdefE"), Kind::Own);
         assert_eq!(kind("__aeabi_fmul"), Kind::Builtins);
         assert_eq!(kind("memset"), Kind::Builtins);
         assert_eq!(kind("Reset"), Kind::Runtime);
@@ -239,11 +190,7 @@ mod tests {
         };
         let elf = Elf {
             sections: vec![section(".vector_table", 64), section(".text", 100)],
-            symbols: vec![Symbol {
-                name: "draw".into(),
-                section: ".text".into(),
-                size: 90,
-            }],
+            symbols: vec![Symbol { name: "draw".into(), section: ".text".into(), size: 90 }],
             names: Vec::new(),
         };
         let weights = Weights::of(&elf);

@@ -28,12 +28,7 @@ impl FromStr for PictureSize {
             (1..=Self::LARGEST).contains(&side).then_some(side)
         };
         text.split_once(['x', 'X'])
-            .and_then(|(width, height)| {
-                Some(Self {
-                    width: side(width)?,
-                    height: side(height)?,
-                })
-            })
+            .and_then(|(width, height)| Some(Self { width: side(width)?, height: side(height)? }))
             .ok_or_else(|| {
                 let largest = Self::LARGEST;
                 format!("write it like 320x240, each side 1 to {largest}")

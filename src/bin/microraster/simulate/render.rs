@@ -6,8 +6,8 @@ use super::view::View;
 use microraster::host::MeshData;
 use microraster::math::{Angle, Mat4, Vec3};
 use microraster::{
-    AnyDepth, Camera, Cull, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light,
-    Pass, Rgb, Rgb565, Rgb565Be, Rgba8888, Size, Stats,
+    AnyDepth, Camera, Cull, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light, Pass, Rgb,
+    Rgb565, Rgb565Be, Rgba8888, Size, Stats,
 };
 
 /// The nearest that anything is seen, in radii of the model; points come no nearer than 1/4.
@@ -41,8 +41,8 @@ fn draw<F: Format>(
     let size = picture.size;
     let mut pixels = vec![<F::Raw as bytemuck::Zeroable>::zeroed(); size.pixels()];
     let mut depth = vec![0; size.pixels()];
-    let mut frame = Frame::<F>::new(&mut pixels, Size::new(size.width, size.height))?
-        .with_depth(&mut depth)?;
+    let mut frame =
+        Frame::<F>::new(&mut pixels, Size::new(size.width, size.height))?.with_depth(&mut depth)?;
     frame.clear(Rgb::BLACK);
     let camera = Camera::perspective(Angle::from_radians(2.0 * View::HALF_FIELD as f32), NEAR);
     let [x, y, z] = view.center.map(|middle| middle as f32);

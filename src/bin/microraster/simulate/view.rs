@@ -74,18 +74,12 @@ impl<'a> View<'a> {
         let views: Vec<Self> = (0..frames)
             .map(|frame| {
                 let turn = core::f64::consts::TAU * f64::from(frame) / f64::from(frames);
-                Self {
-                    yaw: view.yaw + turn,
-                    ..view
-                }
+                Self { yaw: view.yaw + turn, ..view }
             })
             .collect();
         let fitting = views.iter().map(|view| view.fitting(arguments.size));
         let distance = fitting.fold(1.0, f64::max);
-        Ok(views
-            .into_iter()
-            .map(|view| Self { distance, ..view })
-            .collect())
+        Ok(views.into_iter().map(|view| Self { distance, ..view }).collect())
     }
 
     /// Where a point of the model lies, the middle of the model being the origin.

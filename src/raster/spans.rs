@@ -173,18 +173,21 @@ impl SpanWalk for Spans {
             // Rows down to the turn, or as many as fit.
             let room = SpanBatch::CAPACITY.wrapping_sub(batch.length) as i32;
             let end = self.turn.min(self.y.wrapping_add(room));
-            while self.y < end {
-                let (long, short) = (self.long.x, self.short.x);
-                let (first, last) = if self.long_is_right { (short, long) } else { (long, short) };
+            // Copies, which stay in registers where fields would be stored in every row.
+            let (mut long, mut short, mut y) = (self.long, self.short, self.y);
+            while y < end {
+                let (first, last) =
+                    if self.long_is_right { (short.x, long.x) } else { (long.x, short.x) };
                 let (left, right) = (first.max(self.left), last.min(self.right));
                 if left < right {
-                    batch.push(Span { y: self.y, first, left, right });
+                    batch.push(Span { y, first, left, right });
                 }
-                self.long.step();
-                self.short.step();
-                self.y = self.y.wrapping_add(1);
+                long.step();
+                short.step();
+                y = y.wrapping_add(1);
                 core::hint::black_box(());
             }
+            (self.long, self.short, self.y) = (long, short, y);
             if self.y >= self.turn {
                 if self.turn >= self.end {
                     return;

@@ -32,7 +32,7 @@ impl Color {
         Self::from_rgb16(Rgb16::from_rgb(Rgb::new(r, g, b)))
     }
 
-    /// The colour of three 8.8 channels; what exceeds [`Rgb16::FULL`] is taken as full.
+    /// The colour of three 8.8 channels.
     pub const fn from_rgb16(rgb: Rgb16) -> Self {
         Self {
             blue_red: (rounded(rgb.b) as u32) << 16 | rounded(rgb.r) as u32,
@@ -61,12 +61,10 @@ impl Color {
 }
 
 /// An 8.8 channel with the half step added that makes a cut a rounding; at most 65408.
+#[inline(always)]
 pub(crate) const fn rounded(channel: u16) -> u16 {
-    if channel > Rgb16::FULL {
-        Rgb16::FULL + HALF
-    } else {
-        channel + HALF
-    }
+    debug_assert!(channel <= Rgb16::FULL, "an Rgb16 holds no more");
+    channel.wrapping_add(HALF)
 }
 
 impl From<Rgb> for Color {

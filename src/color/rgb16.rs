@@ -3,24 +3,33 @@ use super::Rgb;
 /// A colour with fractions: 8.8 bits a channel, [`Rgb16::FULL`] (255.0) is full.
 ///
 /// # Range
-/// 0 to 65280 a channel. What lies above is brought down to full where triangles are set up.
+/// 0 to 65280 a channel; what lies above is brought down to full.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Rgb16 {
-    /// Red, 8.8.
-    pub r: u16,
-    /// Green, 8.8.
-    pub g: u16,
-    /// Blue, 8.8.
-    pub b: u16,
+    pub(crate) r: u16,
+    pub(crate) g: u16,
+    pub(crate) b: u16,
 }
 
 impl Rgb16 {
     /// A full channel: 255.0.
     pub const FULL: u16 = 255 << 8;
 
-    /// A colour from three 8.8 channels.
+    /// A colour from three 8.8 channels, each at most [`FULL`](Self::FULL) or taken as that.
     pub const fn new(r: u16, g: u16, b: u16) -> Self {
-        Self { r, g, b }
+        const fn limit(channel: u16) -> u16 {
+            if channel > Rgb16::FULL {
+                Rgb16::FULL
+            } else {
+                channel
+            }
+        }
+        Self { r: limit(r), g: limit(g), b: limit(b) }
+    }
+
+    /// The channels: red, green and blue, 8.8.
+    pub const fn channels(self) -> [u16; 3] {
+        [self.r, self.g, self.b]
     }
 
     /// The same colour with fractions of zero.

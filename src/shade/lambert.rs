@@ -91,7 +91,8 @@ impl<const N: usize> Coloring for Lambert<N> {
             }
         }
         let [r, g, b] = sum.map(|channel| channel.min(Rgb16::FULL.into()) as u16);
-        Rgb16::new(r, g, b)
+        // Limited just before.
+        Rgb16 { r, g, b }
     }
 }
 

@@ -18,13 +18,23 @@ fn main() {
 mod firmware {
     use crate::buffer::Buffer;
     use core::hint::black_box;
+    use microraster::math::{Angle, Mat4, Vec3};
+    use microraster::{Camera, Flat, Frame, Mesh, Pass, Rgb, Rgb565, Size};
 
     static COLOR: Buffer<[u16; 128 * 64]> = Buffer::new([0; 128 * 64]);
+    static CORNERS: [[i16; 3]; 3] = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]];
 
     /// What is weighed. Inputs and outputs go through `black_box`, so that nothing is computed
     /// at compile time or left out.
     fn draw(color: &mut [u16]) {
-        color.fill(black_box(0xF800));
+        let camera = Camera::perspective(Angle::from_degrees(black_box(45.0)), 0.5);
+        let model = Mat4::translation(black_box(Vec3::new(0.0, 0.0, -3.0)));
+        if let Ok(mut frame) = Frame::<Rgb565>::new(color, Size::new(128, 64)) {
+            frame.clear(Rgb::BLACK);
+            let shader = Flat::solid(black_box(Rgb::RED));
+            let mesh = Mesh::new(&CORNERS, &[(), (), ()]);
+            Pass::new(&camera).draw(&mut frame, &model, &mesh, &shader);
+        }
         black_box(color);
     }
 

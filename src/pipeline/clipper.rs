@@ -47,6 +47,7 @@ impl ClipPlane {
     const ALL: [Self; 7] =
         [Self::Near, Self::Eye, Self::Far, Self::Left, Self::Right, Self::Below, Self::Above];
 
+    #[inline(never)]
     fn distance(self, clip: &Clip, mapping: &Mapping, depth: &Depth) -> i64 {
         let (x, y) = (i64::from(clip.x), i64::from(clip.y));
         let (z, w) = (i64::from(clip.z), i64::from(clip.w));
@@ -106,6 +107,8 @@ impl Polygon {
             self.push(PolygonCorner { clip: *clip, u, v });
         }
         for plane in ClipPlane::ALL {
+            // Seven planes, one copy: this is about flash.
+            let plane = core::hint::black_box(plane);
             let distance = |corner: &PolygonCorner| plane.distance(&corner.clip, mapping, depth);
             let whole = *self;
             let outside = whole.corners().iter().any(|corner| distance(corner) < 0);
@@ -141,6 +144,7 @@ impl Polygon {
     }
 
     /// The point where an edge leaves: `inside` has a distance of zero or more, `outside` less.
+    #[inline(never)]
     fn cut(
         inside: &PolygonCorner,
         near: i64,
@@ -215,6 +219,7 @@ impl Fan {
         self.about(self.apex, i)
     }
 
+    #[inline(never)]
     fn about(&self, apex: usize, i: usize) -> Option<FanTriangle> {
         let corner = |step: usize| {
             let at = apex.wrapping_add(step);
@@ -228,16 +233,19 @@ impl Fan {
     /// Rounding to the subpixel grid may make a convex polygon a little concave. About some corner
     /// its triangles still all turn the same way, and then they cover each pixel once.
     fn choose_apex(&mut self) {
-        let areas = |fan: &Self, apex: usize| {
-            let (mut sum, mut same) = (0_i64, true);
-            for i in 0..fan.triangles() {
-                let area = fan.about(apex, i).map_or(0, |(v, _)| twice_area(&v));
-                same &= area == 0 || sum == 0 || (area < 0) == (sum < 0);
-                sum = sum.wrapping_add(area);
-            }
-            (sum, same)
-        };
-        self.area = areas(self, 0).0;
-        self.apex = (0..self.length).find(|&apex| areas(self, apex).1).unwrap_or(0);
+        self.area = self.areas(0).0;
+        self.apex = (0..self.length).find(|&apex| self.areas(apex).1).unwrap_or(0);
+    }
+
+    /// The sum of the triangles' areas about a corner, and whether all turn the same way.
+    #[inline(never)]
+    fn areas(&self, apex: usize) -> (i64, bool) {
+        let (mut sum, mut same) = (0_i64, true);
+        for i in 0..self.triangles() {
+            let area = self.about(apex, i).map_or(0, |(v, _)| twice_area(&v));
+            same &= area == 0 || sum == 0 || (area < 0) == (sum < 0);
+            sum = sum.wrapping_add(area);
+        }
+        (sum, same)
     }
 }

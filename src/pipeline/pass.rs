@@ -112,7 +112,7 @@ impl<S> Pass<'_, S> {
 }
 
 /// The largest coordinate of a viewport: far beyond any picture, and nothing overflows.
-const FARTHEST: i32 = 1 << 16;
+const FARTHEST: u32 = 1 << 16;
 
 impl<S: State> Pass<'_, S> {
     /// Draws a mesh: `model` leads from its own space to the world.
@@ -149,7 +149,8 @@ impl<S: State> Pass<'_, S> {
     {
         let viewport = self.viewport.unwrap_or(Rect::from_size(frame.picture()));
         let triangles = u32::try_from(mesh.triangles()).unwrap_or(u32::MAX);
-        let Some((context, transform)) = self.prepare::<H, _>(model, mesh, viewport) else {
+        let mesh_matrix = (!H::OWN_POSITIONS).then(|| mesh.matrix());
+        let Some((context, transform)) = prepare(self.camera, model, mesh_matrix, viewport) else {
             let (_, counter) = self.state.parts();
             for _ in 0..triangles {
                 counter.event(Event::Triangle);
@@ -175,37 +176,41 @@ impl<S: State> Pass<'_, S> {
             draw.run(&positions, assembly, frame, &mut self.state, cache.start());
         }
     }
+}
 
-    /// Matrices of a draw; `None` if they are not finite or the viewport is out of range.
-    fn prepare<H: Shader, A>(
-        &self,
-        model: &Mat4,
-        mesh: &Mesh<'_, A>,
-        viewport: Rect,
-    ) -> Option<(DrawContext, Transform)> {
-        let (width, height) = (viewport.width(), viewport.height());
-        let side = |side: u32| u16::try_from(side).ok().filter(|s| *s <= crate::MAX_SIDE);
-        let size = Size::new(side(width)?, side(height)?);
-        let within = |v: i32| v.unsigned_abs() <= FARTHEST as u32;
-        if size.width == 0 || size.height == 0 || !within(viewport.left) || !within(viewport.top) {
-            return None;
-        }
-        let aspect = f32::from(size.width) / f32::from(size.height);
-        let context = DrawContext {
-            model: *model,
-            view: self.camera.view(),
-            projection: self.camera.projection(aspect),
-            viewport: size,
-        };
-        let near = self.camera.constant_near();
-        let transform = if H::OWN_POSITIONS {
-            Transform::identity(near.is_none())
-        } else {
-            let matrix = context.model_view_projection() * mesh.matrix();
-            Transform::new(&matrix, near, near.is_none())?
-        };
-        Some((context, transform))
+/// Matrices of a draw; `None` if they are not finite or the viewport is out of range.
+///
+/// Without `mesh`, positions come in clip space.
+#[inline(never)]
+fn prepare(
+    camera: &Camera,
+    model: &Mat4,
+    mesh: Option<Mat4>,
+    viewport: Rect,
+) -> Option<(DrawContext, Transform)> {
+    let (width, height) = (viewport.width(), viewport.height());
+    let side = |side: u32| u16::try_from(side).ok().filter(|s| *s <= crate::MAX_SIDE);
+    let size = Size::new(side(width)?, side(height)?);
+    let within = |v: i32| v.unsigned_abs() <= FARTHEST;
+    if size.width == 0 || size.height == 0 || !within(viewport.left) || !within(viewport.top) {
+        return None;
     }
+    let aspect = f32::from(size.width) / f32::from(size.height);
+    let context = DrawContext {
+        model: *model,
+        view: camera.view(),
+        projection: camera.projection(aspect),
+        viewport: size,
+    };
+    let near = camera.constant_near();
+    let transform = match mesh {
+        None => Transform::identity(near.is_none()),
+        Some(mesh) => {
+            let matrix = context.model_view_projection() * mesh;
+            Transform::new(&matrix, near, near.is_none())?
+        }
+    };
+    Some((context, transform))
 }
 
 /// One draw of a mesh: what depends on the shader, but not on state or format.

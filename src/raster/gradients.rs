@@ -98,13 +98,7 @@ impl Gradients {
     )]
     fn slope(&self, p: i32, q: i32, r: i32, s: i32) -> (i32, i32) {
         if self.long {
-            let exact = i64::from(p)
-                .wrapping_mul(q.into())
-                .wrapping_sub(i64::from(r).wrapping_mul(s.into()));
-            return (
-                scaled_wide(exact, self.mantissa, self.shift),
-                scaled_wide(exact, self.mantissa, self.shift.wrapping_add(4)),
-            );
+            return self.slope_of_long_sides(p, q, r, s);
         }
         let numerator = p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
         let product = wide_product(numerator, self.mantissa).wrapping_add(self.half);
@@ -117,6 +111,16 @@ impl Gradients {
             (high >> 31, high.wrapping_shr(self.shift.wrapping_sub(32)) as u32)
         };
         (low as i32, ((high as u32) << 28 | low >> 4) as i32)
+    }
+
+    /// The same where numerators need more than 32 bits: apart, because it is rare and long.
+    #[cold]
+    #[inline(never)]
+    fn slope_of_long_sides(&self, p: i32, q: i32, r: i32, s: i32) -> (i32, i32) {
+        let exact =
+            i64::from(p).wrapping_mul(q.into()).wrapping_sub(i64::from(r).wrapping_mul(s.into()));
+        let scaled = |shift| scaled_wide(exact, self.mantissa, shift);
+        (scaled(self.shift), scaled(self.shift.wrapping_add(4)))
     }
 }
 

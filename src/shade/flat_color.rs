@@ -45,7 +45,8 @@ impl Varying for FlatColor {
     }
 }
 
-/// Three channels mixed.
+/// Three channels mixed: one copy for all, as clipping is rare.
+#[inline(never)]
 #[allow(clippy::cast_possible_truncation, reason = "clamped to 16 bits")]
 pub(super) fn mix_color([a, b, c]: [&Rgb16; 3], u: i32, v: i32) -> Rgb16 {
     let full = i32::from(Rgb16::FULL);

@@ -44,6 +44,7 @@ pub trait Varying: Copy {
 }
 
 /// One attribute mixed as [`Varying::mix`] says, rounded to nearest.
+#[inline(never)]
 #[allow(clippy::cast_possible_truncation, reason = "a value between others")]
 pub(crate) fn mix_word(a: i32, b: i32, c: i32, u: i32, v: i32) -> i32 {
     let (d1, d2) = (i64::from(b.wrapping_sub(a)), i64::from(c.wrapping_sub(a)));

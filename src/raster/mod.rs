@@ -18,6 +18,8 @@ mod plane;
 mod screen_vertex;
 mod short_edge;
 mod spans;
+#[cfg(feature = "std")]
+mod traversal;
 mod triangle;
 
 pub use coverage::{Scanline, Span, SpanBatch, SpanWalk, Traversal};
@@ -26,5 +28,7 @@ pub use gradients::Gradients;
 pub use plane::Plane;
 pub use screen_vertex::{ScreenVertex, GUARD, SUBPIXELS};
 pub use spans::Spans;
+#[cfg(feature = "std")]
+pub use traversal::{AnyTraversal, AnyWalk, BlockWalk, Blocks, BoundingBox, Rows};
 pub(crate) use triangle::area_of_sides;
 pub use triangle::{twice_area, Triangle};

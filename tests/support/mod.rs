@@ -1,13 +1,14 @@
 //! What several tests share: random numbers, the brute-force rasterizer.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
-use microraster::raster::ScreenVertex;
+use microraster::raster::{ScreenVertex, GUARD};
+use microraster::Size;
 
 /// A small generator (SplitMix64): the same numbers on every machine.
-pub struct Random(pub u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    pub fn next(&mut self) -> u64 {
+    pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -16,21 +17,46 @@ impl Random {
     }
 
     /// A number in `from..=to`.
-    pub fn range(&mut self, from: i32, to: i32) -> i32 {
+    pub(crate) fn range(&mut self, from: i32, to: i32) -> i32 {
         let span = (i64::from(to) - i64::from(from) + 1) as u64;
         (i64::from(from) + (self.next() % span) as i64) as i32
     }
 
     /// A number in 0..1.
-    pub fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
 }
 
+/// A corner of some size class, 0 to 9: in the picture, on the grid, tiny, far outside, mixed.
+pub(crate) fn any_corner(random: &mut Random, class: i32, picture: Size) -> ScreenVertex {
+    let class = if class == 9 { random.range(0, 8) } else { class };
+    let (w, h) = (i32::from(picture.width) * 16, i32::from(picture.height) * 16);
+    let side = GUARD * 16;
+    let (x, y) = match class {
+        // In the picture, on subpixels, on pixel corners, on centres, on halves.
+        0 => (random.range(0, w), random.range(0, h)),
+        1 => (random.range(0, w / 16) * 16, random.range(0, h / 16) * 16),
+        2 => (random.range(0, w / 16) * 16 + 8, random.range(0, h / 16) * 16 + 8),
+        3 => (random.range(0, w / 8) * 8, random.range(0, h / 8) * 8),
+        // A few subpixels.
+        4 => (random.range(150, 190), random.range(150, 190)),
+        // Far outside, and at the very ends.
+        5 => (random.range(-side + w / 2, side + w / 2), random.range(-side + h / 2, side + h / 2)),
+        6 => (random.range(-2000, 3000), random.range(-2000, 3000)),
+        // Sixteen pixels high at most.
+        7 => (random.range(-300, 600), random.range(100, 356)),
+        _ => (
+            w / 2 + [-side, side, 0, -8, 8][random.range(0, 4) as usize],
+            h / 2 + [-side, side, 0, -8, 8][random.range(0, 4) as usize],
+        ),
+    };
+    ScreenVertex::from_bits(x, y, 0)
+}
+
 /// The definition of coverage, word for word: E >= bias on all three edges at the pixel's centre.
-pub fn covers(v: &[ScreenVertex; 3], x: i32, y: i32) -> bool {
-    let p: Vec<(i64, i64)> =
-        v.iter().map(|v| (i64::from(v.x.to_bits()), i64::from(v.y.to_bits()))).collect();
+pub(crate) fn covers(v: &[ScreenVertex; 3], x: i32, y: i32) -> bool {
+    let p = v.map(|v| (i64::from(v.x.to_bits()), i64::from(v.y.to_bits())));
     let area = (p[1].0 - p[0].0) * (p[2].1 - p[0].1) - (p[2].0 - p[0].0) * (p[1].1 - p[0].1);
     if area == 0 {
         return false;

@@ -5,6 +5,7 @@ use super::picture::Picture;
 use super::view::View;
 use microraster::host::MeshData;
 use microraster::math::{Angle, Mat4, Vec3};
+use microraster::raster::AnyTraversal;
 use microraster::{
     AnyDepth, Camera, Cull, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light, Pass, Rgb,
     Rgb565, Rgb565Be, Rgba8888, Size, Stats,
@@ -32,6 +33,7 @@ pub(crate) fn render(
 }
 
 /// Draws into a buffer of one format and keeps its bytes.
+#[allow(clippy::cast_possible_truncation, reason = "angles and lengths of a view suit an f32")]
 fn draw<F: Format>(
     view: &View,
     parts: &[MeshData],
@@ -57,6 +59,12 @@ fn draw<F: Format>(
                 options::Cull::None => Cull::None,
                 options::Cull::Back => Cull::Back,
                 options::Cull::Front => Cull::Front,
+            })
+            .traversal(match view.traversal {
+                options::Traversal::Spans => AnyTraversal::Spans,
+                options::Traversal::Box => AnyTraversal::Box,
+                options::Traversal::Blocks => AnyTraversal::Blocks,
+                options::Traversal::Walk => AnyTraversal::Walk,
             })
             .depth(if view.depth { AnyDepth::Less } else { AnyDepth::Off })
     };

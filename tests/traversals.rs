@@ -1,0 +1,71 @@
+//! All traversals find the same pixels, and so draw the same pictures.
+#![cfg(feature = "std")]
+
+mod support;
+
+use microraster::raster::{
+    AnyTraversal, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
+};
+use microraster::{Frame, Gouraud, Less, Rect, Rgb, Rgb16, Rgb565, ScreenPass, Size};
+use support::{any_corner, Random};
+
+const PICTURE: Size = Size::new(32, 24);
+const OTHERS: [AnyTraversal; 3] = [AnyTraversal::Box, AnyTraversal::Blocks, AnyTraversal::Walk];
+
+fn spans(traversal: AnyTraversal, triangle: &Triangle, area: Rect) -> Vec<Span> {
+    let (mut walk, mut batch) = (Default::default(), SpanBatch::default());
+    traversal.start(&mut walk, triangle, area, &mut batch);
+    let mut spans = batch.spans().to_vec();
+    while !batch.is_last() {
+        walk.next_spans(&mut batch);
+        spans.extend(batch.spans());
+    }
+    spans
+}
+
+#[test]
+fn all_traversals_find_the_same_spans() {
+    let mut random = Random(7);
+    for i in 0..100_000 {
+        let corners = [0; 3].map(|_: i32| any_corner(&mut random, i % 10, PICTURE));
+        let Some(triangle) = Triangle::new(corners, PICTURE) else { continue };
+        let area = if i % 3 == 0 {
+            Rect::new(5, random.range(0, 12), 19, random.range(12, 24))
+        } else {
+            Rect::from_size(PICTURE)
+        };
+        let expected = spans(AnyTraversal::Spans, &triangle, area);
+        for other in OTHERS {
+            assert_eq!(spans(other, &triangle, area), expected, "{other:?} of {corners:?}");
+        }
+    }
+}
+
+#[test]
+fn all_traversals_draw_the_same_colours_and_depths() {
+    let draw = |traversal| {
+        let mut random = Random(8);
+        let (mut pixels, mut depth) = (vec![0; 32 * 24], vec![0; 32 * 24]);
+        let frame = Frame::<Rgb565>::new(&mut pixels, PICTURE).expect("sizes fit");
+        let mut frame = frame.with_depth(&mut depth).expect("sizes fit");
+        for i in 0..300 {
+            let triangle = [0; 3].map(|_: i32| {
+                let at = any_corner(&mut random, i % 10, PICTURE);
+                let z = random.range(0, 65_535) as u16;
+                let color = Rgb::new(random.next() as u8, random.next() as u8, random.next() as u8);
+                (ScreenVertex::new(at.x, at.y, z), Rgb16::from(color))
+            });
+            ScreenPass::new().depth(Less).traversal(traversal).triangle(
+                &mut frame,
+                &Gouraud::colored(),
+                &triangle,
+            );
+        }
+        (pixels, depth)
+    };
+    let expected = draw(AnyTraversal::Spans);
+    assert!(expected.0.iter().any(|&pixel| pixel != 0), "something is drawn");
+    for other in OTHERS {
+        assert_eq!(draw(other), expected, "{other:?}");
+    }
+}

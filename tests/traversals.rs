@@ -1,5 +1,11 @@
 //! All traversals find the same pixels, and so draw the same pictures.
 #![cfg(feature = "std")]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::expect_used,
+    reason = "random numbers are cut to what is wanted"
+)]
 
 mod support;
 

@@ -1,4 +1,10 @@
 //! What several tests share: random numbers, the brute-force rasterizer.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::expect_used,
+    reason = "random numbers are cut to what is wanted"
+)]
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use microraster::raster::{ScreenVertex, GUARD};

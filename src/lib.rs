@@ -19,7 +19,7 @@ pub mod host;
 
 pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
-pub use pipeline::{Clip, Cull, Pass, ScreenPass, VertexCache, Winding};
+pub use pipeline::{Clip, Cull, Pass, ScreenPass, ShadedVertex, VertexCache, Winding};
 pub use scene::{normal, Camera, Indices, Light, Mesh, Normal};
 pub use shade::{
     Always, AnyDepth, Coloring, Corner, Counter, Counting, DepthTest, DrawContext, Equal, Flat,

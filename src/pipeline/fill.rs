@@ -33,14 +33,15 @@ impl<V: Varying> Fill<'_, V> {
     ///
     /// One copy of this, with the pixel loop inlined, is what a shader and state cost in flash.
     #[inline(never)]
-    pub(super) fn draw<H, S, F, D>(
+    pub(super) fn draw<H, S, F, D, W>(
         &self,
         frame: &mut Frame<'_, F, D>,
         state: &mut S,
         shader: &H,
-        walk: &mut Walk<S>,
+        walk: &mut W,
         batch: &mut SpanBatch,
     ) where
+        W: SpanWalk,
         H: Shader<Varying = V>,
         S: State,
         F: Format,

@@ -20,4 +20,4 @@ pub use cache::VertexCache;
 pub use clip::Clip;
 pub use cull::{Cull, Winding};
 pub use pass::Pass;
-pub use screen_pass::ScreenPass;
+pub use screen_pass::{ScreenPass, ShadedVertex};

@@ -2,8 +2,11 @@ use super::fill::{Access, Fill, Walk};
 use super::{Cull, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::raster::{ScreenVertex, SpanBatch, Traversal, Triangle};
+use crate::raster::{Line, PointWalk, ScreenVertex, SpanBatch, SpanWalk, Traversal, Triangle};
 use crate::shade::{Corner, Counter, Counting, DepthTest, Event, Shader, State, States, Stats};
+
+/// A corner on the screen and what shader `H` interpolates from it.
+pub type ShadedVertex<H> = (ScreenVertex, Corner<<H as Shader>::Varying>);
 
 /// Draws primitives that are in screen space already: below the vertex stage, with the same state,
 /// shaders and pixel loop.
@@ -79,7 +82,7 @@ impl<S: State> ScreenPass<S> {
         &mut self,
         frame: &mut Frame<'_, F, D>,
         shader: &H,
-        corners: &[(ScreenVertex, Corner<H::Varying>); 3],
+        corners: &[ShadedVertex<H>; 3],
     ) where
         H: Shader,
         F: Format,
@@ -88,12 +91,115 @@ impl<S: State> ScreenPass<S> {
         self.triangles(frame, shader, core::slice::from_ref(corners));
     }
 
+    /// Draws lines one pixel wide; flat shaders take the first corner's colour.
+    ///
+    /// # Rounding
+    /// The pixels are exact by the diamond-exit rule of OpenGL 4.6, section 14.5.1, so that the
+    /// joints of a chain are drawn once. Attributes run from corner to corner along the longer
+    /// side, in equal steps.
+    pub fn lines<'t, H, F, D>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        shader: &H,
+        lines: impl IntoIterator<Item = &'t [ShadedVertex<H>; 2]>,
+    ) where
+        H: Shader,
+        H::Varying: 't,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        for [(a, p), (b, q)] in lines {
+            self.event(Event::Line);
+            if !a.in_range(frame.picture()) || !b.in_range(frame.picture()) {
+                self.event(Event::Skipped);
+                continue;
+            }
+            let Some(line) = Line::between(*a, *b) else {
+                self.event(Event::Degenerate);
+                continue;
+            };
+            // The pixel before the first corner has the corner's attributes, the others their own.
+            let (triangle, area) = (line.plane_triangle(), frame.scissor());
+            let head = line.head(area).is_some_and(|mut walk| {
+                let triangle = &Triangle { v: [*a; 3], ..triangle };
+                let fill = Fill { triangle, corners: [p, p, p], provoking: p };
+                self.fill(frame, shader, &fill, &mut walk)
+            });
+            let fill = Fill { triangle: &triangle, corners: [p, q, p], provoking: p };
+            let rest = self.fill(frame, shader, &fill, &mut line.walk(area));
+            self.event(if head || rest { Event::Drawn } else { Event::Outside });
+        }
+    }
+
+    /// Draws points as squares of `size` pixels about their corners, one colour and depth each.
+    ///
+    /// # Rounding
+    /// None: the pixels are those whose centres lie in the half-open square about the corner as it
+    /// is (OpenGL 4.6, section 14.4).
+    pub fn points<'t, H, F, D>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        shader: &H,
+        size: u16,
+        points: impl IntoIterator<Item = &'t ShadedVertex<H>>,
+    ) where
+        H: Shader,
+        H::Varying: 't,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        for (vertex, corner) in points {
+            self.event(Event::Point);
+            if !vertex.in_range(frame.picture()) {
+                self.event(Event::Skipped);
+                continue;
+            }
+            if size == 0 {
+                self.event(Event::Degenerate);
+                continue;
+            }
+            let triangle = &Triangle { v: [*vertex; 3], area: 1, flipped: false };
+            let fill = Fill { triangle, corners: [corner; 3], provoking: corner };
+            let mut walk = PointWalk::new(vertex, size, frame.scissor());
+            let drawn = self.fill(frame, shader, &fill, &mut walk);
+            self.event(if drawn { Event::Drawn } else { Event::Outside });
+        }
+    }
+
+    /// Draws what a walk finds; whether that was anything.
+    fn fill<H, F, D, W>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        shader: &H,
+        fill: &Fill<'_, H::Varying>,
+        walk: &mut W,
+    ) -> bool
+    where
+        W: SpanWalk,
+        H: Shader,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let mut batch = SpanBatch::default();
+        walk.next_spans(&mut batch);
+        if batch.is_empty() {
+            return false;
+        }
+        fill.draw(frame, &mut self.state, shader, walk, &mut batch);
+        true
+    }
+
+    #[inline(always)]
+    fn event(&mut self, event: Event) {
+        self.state.parts().1.event(event);
+    }
+
     /// Draws triangles one after the other: cheaper than one call for each.
     pub fn triangles<'t, H, F, D>(
         &mut self,
         frame: &mut Frame<'_, F, D>,
         shader: &H,
-        triangles: impl IntoIterator<Item = &'t [(ScreenVertex, Corner<H::Varying>); 3]>,
+        triangles: impl IntoIterator<Item = &'t [ShadedVertex<H>; 3]>,
     ) where
         H: Shader,
         H::Varying: 't,

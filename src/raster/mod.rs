@@ -14,7 +14,9 @@
 mod coverage;
 mod edge_walk;
 mod gradients;
+mod line;
 mod plane;
+mod point;
 mod screen_vertex;
 mod short_edge;
 mod spans;
@@ -25,7 +27,9 @@ mod triangle;
 pub use coverage::{Scanline, Span, SpanBatch, SpanWalk, Traversal};
 pub(crate) use edge_walk::EdgeWalk;
 pub use gradients::Gradients;
+pub(crate) use line::Line;
 pub use plane::Plane;
+pub(crate) use point::PointWalk;
 pub use screen_vertex::{ScreenVertex, GUARD, SUBPIXELS};
 pub use spans::Spans;
 #[cfg(feature = "std")]

@@ -1,22 +1,28 @@
-/// What became of the triangles and pixels of the draws that counted here.
+/// What became of the primitives and pixels of the draws that counted here.
 ///
-/// `triangles = culled + degenerate + outside + skipped + drawn`, whatever was drawn.
+/// `triangles + lines + points = culled + degenerate + outside + skipped + drawn`, whatever was
+/// drawn.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stats {
     /// Triangles that came in.
     pub triangles: u32,
+    /// Lines that came in.
+    pub lines: u32,
+    /// Points that came in.
+    pub points: u32,
     /// Triangles that face the culled side.
     pub culled: u32,
-    /// Triangles of zero area on the screen.
+    /// Triangles of zero area on the screen, lines that do not leave the diamond they start in,
+    /// points of size 0.
     pub degenerate: u32,
-    /// Triangles beside the view, the scissor or the band, and those too small to hold a pixel
-    /// centre between their sides.
+    /// Primitives beside the view, the scissor or the band, and triangles too small to hold a
+    /// pixel centre between their sides.
     pub outside: u32,
-    /// Triangles that cannot be drawn: an index out of range, a matrix that is not finite, a
-    /// corner that is no number.
+    /// Primitives that cannot be drawn: an index out of range, a matrix that is not finite, a
+    /// corner that is no number or out of range.
     pub skipped: u32,
-    /// Triangles that went on to the rasterizer.
+    /// Primitives that went on to the rasterizer.
     pub drawn: u32,
     /// Triangles that were cut at the near or far plane or at the guard box, drawn or not.
     pub clipped: u32,
@@ -24,11 +30,13 @@ pub struct Stats {
     pub pixels: u32,
 }
 
-/// One thing that can become of a triangle.
+/// One thing that can become of a primitive.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
     Triangle,
+    Line,
+    Point,
     Culled,
     Degenerate,
     Outside,
@@ -39,7 +47,7 @@ pub enum Event {
 
 /// Whether a pass counts: [`Uncounted`] or [`Counting`].
 pub trait Counter {
-    /// One triangle went this way.
+    /// One primitive went this way.
     #[doc(hidden)]
     fn event(&mut self, event: Event);
     /// So many pixels were written.
@@ -67,6 +75,8 @@ impl Counter for Counting<'_> {
     fn event(&mut self, event: Event) {
         let count = match event {
             Event::Triangle => &mut self.0.triangles,
+            Event::Line => &mut self.0.lines,
+            Event::Point => &mut self.0.points,
             Event::Culled => &mut self.0.culled,
             Event::Degenerate => &mut self.0.degenerate,
             Event::Outside => &mut self.0.outside,

@@ -1,6 +1,7 @@
 //! Lines and points against their definitions, pixel by pixel.
 #![allow(
     clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
     clippy::cast_sign_loss,
     reason = "pixels of a small picture"
 )]

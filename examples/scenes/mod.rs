@@ -8,6 +8,7 @@ pub(crate) mod grid;
 pub(crate) mod hash;
 pub(crate) mod model;
 pub(crate) mod standard;
+pub(crate) mod toon;
 
 use microraster::{Rgb16, VertexCache};
 pub(crate) use model::Model;
@@ -76,5 +77,5 @@ pub(crate) struct Scene<P> {
 
 /// All scenes.
 pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
-    standard::scenes().into_iter().chain(golden::scenes())
+    standard::scenes().into_iter().chain(toon::scenes()).chain(golden::scenes())
 }

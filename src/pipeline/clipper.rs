@@ -2,7 +2,7 @@ use super::mapping::{near_slack, Mapping};
 use super::transform::Depth;
 use super::Clip;
 use crate::math::{reciprocal, Reciprocal};
-use crate::raster::{twice_area, ScreenVertex, GUARD};
+use crate::raster::{twice_area, ScreenVertex, Triangle, GUARD};
 
 /// A clipped triangle has at most its three corners and one more for each of seven planes.
 const MAX_CORNERS: usize = 3 + 7;
@@ -48,7 +48,8 @@ impl ClipPlane {
         [Self::Near, Self::Eye, Self::Far, Self::Left, Self::Right, Self::Below, Self::Above];
 
     #[inline(never)]
-    fn distance(self, clip: &Clip, mapping: &Mapping, depth: &Depth) -> i64 {
+    fn distance(self, clip: &Clip, mapping: &Mapping) -> i64 {
+        let depth = &mapping.depth;
         let (x, y) = (i64::from(clip.x), i64::from(clip.y));
         let (z, w) = (i64::from(clip.z), i64::from(clip.w));
         // Half a side of the cut box over half a side of the viewport, times w, against x.
@@ -86,6 +87,7 @@ fn ratio(a: i64, b: i64) -> i64 {
 }
 
 /// The point that divides a..b as t, in units of 2^-30; rounded to nearest.
+#[inline(never)]
 #[allow(
     clippy::cast_possible_truncation,
     reason = "shifted into range, or a point between two others"
@@ -96,78 +98,58 @@ fn between(a: i32, b: i32, t: i64) -> i32 {
 }
 
 impl Polygon {
-    /// Cuts a triangle at all planes that limit the view, except the sides of the viewport: those
+    /// A triangle, cut at all planes that limit the view except the sides of the viewport: those
     /// are the scissor's.
     #[inline(never)]
-    pub(super) fn clip(&mut self, triangle: &[Clip; 3], mapping: &Mapping, depth: &Depth) {
+    pub(super) fn of(triangle: [Clip; 3], mapping: &Mapping) -> Self {
         const ONE: i32 = 1 << 30;
         let weights = [(0, 0), (ONE, 0), (0, ONE)];
-        self.length = 0;
-        for (clip, (u, v)) in triangle.iter().zip(weights) {
-            self.push(PolygonCorner { clip: *clip, u, v });
+        let mut polygon = Self::default();
+        for (clip, (u, v)) in triangle.into_iter().zip(weights) {
+            polygon.push(&PolygonCorner { clip, u, v });
         }
         for plane in ClipPlane::ALL {
             // Seven planes, one copy: this is about flash.
-            let plane = core::hint::black_box(plane);
-            let distance = |corner: &PolygonCorner| plane.distance(&corner.clip, mapping, depth);
-            let whole = *self;
-            let outside = whole.corners().iter().any(|corner| distance(corner) < 0);
-            if !outside {
-                continue;
-            }
-            self.length = 0;
-            let Some(mut last) = whole.corners().last() else { return };
-            for corner in whole.corners() {
-                let (before, after) = (distance(last), distance(corner));
-                if (before < 0) != (after < 0) {
-                    let cut = if before < 0 {
-                        Self::cut(corner, after, last, before)
-                    } else {
-                        Self::cut(last, before, corner, after)
-                    };
-                    self.push(cut);
-                    if let (ClipPlane::Near, Depth::Near { w_min, .. }) = (plane, depth) {
-                        // By definition, and free of the ratio's rounding.
-                        if let Some(cut) = self.length.checked_sub(1) {
-                            if let Some(cut) = self.corners.get_mut(cut) {
-                                cut.clip.w = *w_min;
-                            }
-                        }
-                    }
-                }
-                if after >= 0 {
-                    self.push(*corner);
-                }
-                last = corner;
-            }
+            polygon.cut(core::hint::black_box(plane), mapping);
         }
+        polygon
     }
 
-    /// The point where an edge leaves: `inside` has a distance of zero or more, `outside` less.
+    /// Takes off what lies outside of a plane.
     #[inline(never)]
-    fn cut(
-        inside: &PolygonCorner,
-        near: i64,
-        outside: &PolygonCorner,
-        beyond: i64,
-    ) -> PolygonCorner {
-        let t = ratio(near, near.wrapping_sub(beyond));
-        let (a, b) = (&inside.clip, &outside.clip);
-        PolygonCorner {
-            clip: Clip {
-                x: between(a.x, b.x, t),
-                y: between(a.y, b.y, t),
-                z: between(a.z, b.z, t),
-                w: between(a.w, b.w, t),
-            },
-            u: between(inside.u, outside.u, t),
-            v: between(inside.v, outside.v, t),
+    fn cut(&mut self, plane: ClipPlane, mapping: &Mapping) {
+        let whole = *self;
+        let Some(mut last) = whole.corners().last() else { return };
+        let mut before = plane.distance(&last.clip, mapping);
+        self.length = 0;
+        for corner in whole.corners() {
+            let after = plane.distance(&corner.clip, mapping);
+            if (before < 0) != (after < 0) {
+                // Always from the inside to the outside.
+                let (inside, near, outside, beyond) = if before < 0 {
+                    (corner, after, last, before)
+                } else {
+                    (last, before, corner, after)
+                };
+                let t = ratio(near, near.wrapping_sub(beyond));
+                let mut cut = inside.toward(outside, t);
+                if let (ClipPlane::Near, Depth::Near { w_min, .. }) = (plane, &mapping.depth) {
+                    // By definition, and free of the ratio's rounding.
+                    cut.clip.w = *w_min;
+                }
+                self.push(&cut);
+            }
+            if after >= 0 {
+                self.push(corner);
+            }
+            (last, before) = (corner, after);
         }
     }
 
-    fn push(&mut self, corner: PolygonCorner) {
+    #[inline(never)]
+    fn push(&mut self, corner: &PolygonCorner) {
         if let Some(place) = self.corners.get_mut(self.length) {
-            *place = corner;
+            *place = *corner;
             self.length = self.length.wrapping_add(1);
         }
     }
@@ -178,74 +160,118 @@ impl Polygon {
 
     /// The polygon on the screen as triangles about one corner.
     #[inline(never)]
-    pub(super) fn fan(&self, mapping: &Mapping) -> Fan {
-        let mut fan = Fan::default();
-        for corner in self.corners() {
-            if let (Some(point), Some(weight)) =
-                (fan.points.get_mut(fan.length), fan.weights.get_mut(fan.length))
-            {
-                *point = mapping.corner(&corner.clip);
-                *weight = (corner.u, corner.v);
-                fan.length = fan.length.wrapping_add(1);
-            }
+    pub(super) fn fan(&self, mapping: &Mapping, fan: &mut Fan) {
+        fan.length = self.length;
+        let places = fan.points.iter_mut().zip(&mut fan.weights);
+        for (corner, (point, weight)) in self.corners().iter().zip(places) {
+            *point = mapping.corner(&corner.clip);
+            *weight = (corner.u, corner.v);
         }
         fan.choose_apex();
-        fan
     }
 }
 
-/// Three corners on the screen, and their weights.
-type FanTriangle = ([ScreenVertex; 3], [(i32, i32); 3]);
+impl PolygonCorner {
+    /// The point that divides the way to another corner as t, in units of 2^-30.
+    #[inline(never)]
+    fn toward(&self, to: &Self, t: i64) -> Self {
+        let (a, b) = (&self.clip, &to.clip);
+        Self {
+            clip: Clip {
+                x: between(a.x, b.x, t),
+                y: between(a.y, b.y, t),
+                z: between(a.z, b.z, t),
+                w: between(a.w, b.w, t),
+            },
+            u: between(self.u, to.u, t),
+            v: between(self.v, to.v, t),
+        }
+    }
+}
+
+/// How much of a triangle's second and third corner is in a point, in units of 2^-30.
+pub(super) type Weights = (i32, i32);
 
 /// A polygon on the screen, cut into triangles about its apex.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Fan {
     points: [ScreenVertex; MAX_CORNERS],
-    weights: [(i32, i32); MAX_CORNERS],
+    weights: [Weights; MAX_CORNERS],
     length: usize,
     apex: usize,
+    /// The piece that comes next.
+    next: usize,
     /// Twice the polygon's area, signed.
     pub(super) area: i64,
 }
 
 impl Fan {
-    /// How many triangles there are.
-    pub(super) fn triangles(&self) -> usize {
-        self.length.saturating_sub(2)
+    /// Whether there is no piece at all.
+    pub(super) const fn is_empty(&self) -> bool {
+        self.length < 3
     }
 
-    /// Triangle `i`: its corners in the polygon's order, and their weights.
-    pub(super) fn triangle(&self, i: usize) -> Option<FanTriangle> {
-        self.about(self.apex, i)
-    }
-
+    /// The next piece that has an area.
     #[inline(never)]
-    fn about(&self, apex: usize, i: usize) -> Option<FanTriangle> {
-        let corner = |step: usize| {
-            let at = apex.wrapping_add(step);
-            let at = if at >= self.length { at.wrapping_sub(self.length) } else { at };
-            Some((*self.points.get(at)?, *self.weights.get(at)?))
-        };
-        let [a, b, c] = [corner(0)?, corner(i.wrapping_add(1))?, corner(i.wrapping_add(2))?];
-        Some(([a.0, b.0, c.0], [a.1, b.1, c.1]))
+    pub(super) fn next(&mut self, triangle: &mut Triangle) -> bool {
+        while self.next.wrapping_add(2) < self.length {
+            self.next = self.next.wrapping_add(1);
+            let places = self.piece();
+            let corners = places.map(|at| self.points.get(at).copied().unwrap_or_default());
+            if let Some(piece) = Triangle::oriented(corners) {
+                if piece.flipped == (self.area < 0) {
+                    *triangle = piece;
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    /// The weights of the corners of the piece that [`next`](Self::next) gave, in the polygon's
+    /// order.
+    #[inline(never)]
+    pub(super) fn weights(&self) -> [Weights; 3] {
+        self.piece().map(|at| self.weights.get(at).copied().unwrap_or_default())
+    }
+
+    /// Where the corners of the latest piece are.
+    fn piece(&self) -> [usize; 3] {
+        [0, self.next, self.next.wrapping_add(1)].map(|step| {
+            let at = self.apex.wrapping_add(step);
+            if at >= self.length {
+                at.wrapping_sub(self.length)
+            } else {
+                at
+            }
+        })
     }
 
     /// Rounding to the subpixel grid may make a convex polygon a little concave. About some corner
     /// its triangles still all turn the same way, and then they cover each pixel once.
     fn choose_apex(&mut self) {
-        self.area = self.areas(0).0;
-        self.apex = (0..self.length).find(|&apex| self.areas(apex).1).unwrap_or(0);
+        for apex in (0..self.length).rev() {
+            self.apex = apex;
+            if self.turns_one_way() {
+                break;
+            }
+        }
+        self.next = 0;
     }
 
-    /// The sum of the triangles' areas about a corner, and whether all turn the same way.
+    /// Whether the triangles about the apex all turn the same way; sums their areas.
     #[inline(never)]
-    fn areas(&self, apex: usize) -> (i64, bool) {
-        let (mut sum, mut same) = (0_i64, true);
-        for i in 0..self.triangles() {
-            let area = self.about(apex, i).map_or(0, |(v, _)| twice_area(&v));
-            same &= area == 0 || sum == 0 || (area < 0) == (sum < 0);
-            sum = sum.wrapping_add(area);
+    fn turns_one_way(&mut self) -> bool {
+        let mut same = true;
+        self.area = 0;
+        self.next = 1;
+        while self.next.wrapping_add(1) < self.length {
+            let corners = self.piece().map(|at| self.points.get(at).copied().unwrap_or_default());
+            let area = twice_area(&corners);
+            same &= area == 0 || self.area == 0 || (area < 0) == (self.area < 0);
+            self.area = self.area.wrapping_add(area);
+            self.next = self.next.wrapping_add(1);
         }
-        (sum, same)
+        same
     }
 }

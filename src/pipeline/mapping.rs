@@ -31,7 +31,7 @@ pub(crate) struct Mapping {
     /// The viewport's size in pixels.
     pub(crate) width: u32,
     pub(crate) height: u32,
-    depth: Depth,
+    pub(crate) depth: Depth,
 }
 
 /// How far from the viewport's centre a corner may lie, in subpixels.

@@ -1,6 +1,6 @@
-use super::assembly::{Assembly, Face, MeshPositions, Next, Positions};
+use super::assembly::{Assembly, Face, MeshPositions, Positions};
 use super::cache::CacheView;
-use super::clipper::Polygon;
+use super::clipper::Fan;
 use super::fill::{Access, Fill, Walk};
 use super::mapping::Mapping;
 use super::transform::Transform;
@@ -8,7 +8,7 @@ use super::{Clip, Cull, VertexCache, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies};
 use crate::math::Mat4;
-use crate::raster::{SpanBatch, Traversal, Triangle};
+use crate::raster::{SpanBatch, Traversal};
 use crate::scene::{Camera, Mesh};
 use crate::shade::{
     Corner, Counter, Counting, DepthTest, DrawContext, Event, Shader, State, States, Stats, Varying,
@@ -166,9 +166,9 @@ impl<S: State> Pass<'_, S> {
             area: frame.scissor().intersection(viewport),
             cull: self.cull,
             front: self.front,
+            fan: Fan::default(),
         };
-        let draw =
-            Draw { mesh, shader, prepared: &shader.prepare(&context), transform: &transform };
+        let draw = Draw { mesh, shader, prepared: &shader.prepare(&context) };
         if H::OWN_POSITIONS {
             draw.run(&draw, assembly, frame, &mut self.state, cache.start());
         } else {
@@ -219,7 +219,6 @@ struct Draw<'a, H: Shader> {
     mesh: &'a Mesh<'a, H::Vertex>,
     shader: &'a H,
     prepared: &'a H::Prepared,
-    transform: &'a Transform,
 }
 
 impl<H: Shader> Positions for Draw<'_, H> {
@@ -244,39 +243,40 @@ impl<H: Shader> Draw<'_, H> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let mut face = Face { number: 0, vertices: [0; 3], triangle: Triangle::EMPTY };
+        let mut face = Face::NONE;
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
-        loop {
-            let (_, counter) = state.parts();
-            match assembly.next(positions, cache.entries, counter, &mut face) {
-                Next::End => return,
-                Next::Whole => {
-                    let traversal = state.traversal();
-                    traversal.start(&mut walk, &face.triangle, assembly.area, &mut batch);
-                    if batch.is_empty() {
-                        state.parts().1.event(Event::Outside);
-                        continue;
-                    }
-                    // Only now, with a pixel to draw, are its vertices shaded.
-                    let Some(corners) = self.corners(&face, &mut cache) else {
-                        state.parts().1.event(Event::Skipped);
-                        continue;
-                    };
-                    state.parts().1.event(Event::Drawn);
-                    let [a, b, c] = &corners;
-                    let ordered = if face.triangle.flipped { [a, c, b] } else { [a, b, c] };
-                    Fill { triangle: &face.triangle, corners: ordered, provoking: a }.draw(
-                        frame,
-                        state,
-                        self.shader,
-                        &mut walk,
-                        &mut batch,
-                    );
+        while assembly.next(positions, cache.entries, state.parts().1, &mut face) {
+            let traversal = state.traversal();
+            traversal.start(&mut walk, &face.triangle, assembly.area, &mut batch);
+            if batch.is_empty() {
+                if !face.clipped {
+                    state.parts().1.event(Event::Outside);
                 }
-                Next::Clip => {
-                    self.draw_clipped(positions, &assembly, &face, frame, state, &mut cache);
-                }
+                continue;
             }
+            // Only now, with a pixel to draw, are its vertices shaded.
+            let Some(mut corners) = self.corners(&face, &mut cache) else {
+                state.parts().1.event(Event::Skipped);
+                face.clipped = false;
+                continue;
+            };
+            let provoking = corners[0];
+            if face.clipped {
+                face.covered = true;
+                let [a, b, c] = corners;
+                corners = assembly.fan.weights().map(|(u, v)| H::Varying::mix([&a, &b, &c], u, v));
+            } else {
+                state.parts().1.event(Event::Drawn);
+            }
+            let [a, b, c] = &corners;
+            let ordered = if face.triangle.flipped { [a, c, b] } else { [a, b, c] };
+            Fill { triangle: &face.triangle, corners: ordered, provoking: &provoking }.draw(
+                frame,
+                state,
+                self.shader,
+                &mut walk,
+                &mut batch,
+            );
         }
     }
 
@@ -304,71 +304,5 @@ impl<H: Shader> Draw<'_, H> {
         } else {
             Some([provoking; 3])
         }
-    }
-
-    /// A triangle that crosses the near or far plane or the guard box.
-    #[inline(never)]
-    fn draw_clipped<P, S, F, D>(
-        &self,
-        positions: &P,
-        assembly: &Assembly<'_>,
-        face: &Face,
-        frame: &mut Frame<'_, F, D>,
-        state: &mut S,
-        cache: &mut CacheView<'_, Corner<H::Varying>>,
-    ) where
-        P: Positions,
-        S: State,
-        F: Format,
-        D: Supplies<Access<S>>,
-    {
-        let [a, b, c] = face.vertices.map(|index| positions.clip(index));
-        let (Some(a), Some(b), Some(c), Some(corners)) = (a, b, c, self.corners(face, cache))
-        else {
-            state.parts().1.event(Event::Skipped);
-            return;
-        };
-        let mut polygon = Polygon::default();
-        polygon.clip(&[a, b, c], &assembly.mapping, &self.transform.depth);
-        let fan = polygon.fan(&assembly.mapping);
-        let (_, counter) = state.parts();
-        counter.event(Event::Clipped);
-        if fan.triangles() == 0 {
-            counter.event(Event::Outside);
-            return;
-        }
-        if fan.area == 0 {
-            counter.event(Event::Degenerate);
-            return;
-        }
-        if assembly.cull.drops(fan.area, assembly.front) {
-            counter.event(Event::Culled);
-            return;
-        }
-        let mut covered = false;
-        let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
-        let [p, q, r] = &corners;
-        for i in 0..fan.triangles() {
-            let Some((points, weights)) = fan.triangle(i) else { return };
-            let Some(triangle) = Triangle::oriented(points) else { continue };
-            if triangle.flipped != (fan.area < 0) {
-                continue;
-            }
-            state.traversal().start(&mut walk, &triangle, assembly.area, &mut batch);
-            if batch.is_empty() {
-                continue;
-            }
-            covered = true;
-            let [a, b, c] = weights.map(|(u, v)| H::Varying::mix([p, q, r], u, v));
-            let ordered = if triangle.flipped { [&a, &c, &b] } else { [&a, &b, &c] };
-            Fill { triangle: &triangle, corners: ordered, provoking: p }.draw(
-                frame,
-                state,
-                self.shader,
-                &mut walk,
-                &mut batch,
-            );
-        }
-        state.parts().1.event(if covered { Event::Drawn } else { Event::Outside });
     }
 }

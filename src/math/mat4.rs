@@ -293,13 +293,20 @@ impl Mat4 {
 impl Mul for Mat4 {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self::from_columns(self * other.x, self * other.y, self * other.z, self * other.w)
+        let column = |v: &Vec4| transform(&self, v);
+        Self::from_columns(column(&other.x), column(&other.y), column(&other.z), column(&other.w))
     }
 }
 
 impl Mul<Vec4> for Mat4 {
     type Output = Vec4;
     fn mul(self, v: Vec4) -> Vec4 {
-        self.x * v.x + self.y * v.y + self.z * v.z + self.w * v.w
+        transform(&self, &v)
     }
+}
+
+/// One copy: four of them in a product would be half a kilobyte.
+#[inline(never)]
+fn transform(m: &Mat4, v: &Vec4) -> Vec4 {
+    m.x * v.x + m.y * v.y + m.z * v.z + m.w * v.w
 }

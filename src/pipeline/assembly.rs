@@ -193,8 +193,12 @@ impl Assembly<'_> {
     /// there.
     #[inline(never)]
     fn clip<P: Positions>(&mut self, positions: &P, vertices: [u32; 3]) -> Option<Event> {
-        let [a, b, c] = vertices.map(|index| positions.clip(index));
-        Polygon::of([a?, b?, c?], &self.mapping).fan(&self.mapping, &mut self.fan);
+        let mut triangle = [Clip::default(); 3];
+        for (clip, index) in triangle.iter_mut().zip(vertices) {
+            // A loop: this is about flash.
+            *clip = positions.clip(core::hint::black_box(index))?;
+        }
+        Polygon::of(&triangle, &self.mapping).fan(&self.mapping, &mut self.fan);
         Some(if self.fan.is_empty() {
             Event::Outside
         } else if self.fan.area == 0 {

@@ -101,12 +101,12 @@ impl Polygon {
     /// A triangle, cut at all planes that limit the view except the sides of the viewport: those
     /// are the scissor's.
     #[inline(never)]
-    pub(super) fn of(triangle: [Clip; 3], mapping: &Mapping) -> Self {
+    pub(super) fn of(triangle: &[Clip; 3], mapping: &Mapping) -> Self {
         const ONE: i32 = 1 << 30;
         let weights = [(0, 0), (ONE, 0), (0, ONE)];
         let mut polygon = Self::default();
-        for (clip, (u, v)) in triangle.into_iter().zip(weights) {
-            polygon.push(&PolygonCorner { clip, u, v });
+        for (clip, (u, v)) in triangle.iter().zip(weights) {
+            polygon.push(&PolygonCorner { clip: *clip, u, v });
         }
         for plane in ClipPlane::ALL {
             // Seven planes, one copy: this is about flash.
@@ -216,16 +216,26 @@ impl Fan {
     pub(super) fn next(&mut self, triangle: &mut Triangle) -> bool {
         while self.next.wrapping_add(2) < self.length {
             self.next = self.next.wrapping_add(1);
-            let places = self.piece();
-            let corners = places.map(|at| self.points.get(at).copied().unwrap_or_default());
-            if let Some(piece) = Triangle::oriented(corners) {
-                if piece.flipped == (self.area < 0) {
-                    *triangle = piece;
-                    return true;
+            let area = self.piece_area(&mut triangle.v);
+            if area != 0 && (area < 0) == (self.area < 0) {
+                triangle.flipped = area < 0;
+                triangle.area = area.wrapping_abs();
+                if triangle.flipped {
+                    triangle.v.swap(1, 2);
                 }
+                return true;
             }
         }
         false
+    }
+
+    /// The latest piece's corners, and twice its area.
+    #[inline(never)]
+    fn piece_area(&self, corners: &mut [ScreenVertex; 3]) -> i64 {
+        for (corner, at) in corners.iter_mut().zip(self.piece()) {
+            *corner = self.points.get(at).copied().unwrap_or_default();
+        }
+        twice_area(corners)
     }
 
     /// The weights of the corners of the piece that [`next`](Self::next) gave, in the polygon's
@@ -266,8 +276,7 @@ impl Fan {
         self.area = 0;
         self.next = 1;
         while self.next.wrapping_add(1) < self.length {
-            let corners = self.piece().map(|at| self.points.get(at).copied().unwrap_or_default());
-            let area = twice_area(&corners);
+            let area = self.piece_area(&mut [ScreenVertex::default(); 3]);
             same &= area == 0 || self.area == 0 || (area < 0) == (self.area < 0);
             self.area = self.area.wrapping_add(area);
             self.next = self.next.wrapping_add(1);

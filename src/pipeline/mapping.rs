@@ -127,7 +127,7 @@ impl Mapping {
     }
 
     /// x and y in subpixels from the viewport's centre, and the depth code.
-    #[inline(always)]
+    #[inline(never)]
     fn screen(&self, clip: &Clip) -> (i32, i32, u16) {
         let w = clip.w.max(1) as u32;
         let Reciprocal { mantissa, .. } = reciprocal(w);

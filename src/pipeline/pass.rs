@@ -7,7 +7,7 @@ use super::transform::Transform;
 use super::{Clip, Cull, VertexCache, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies};
-use crate::math::Mat4;
+use crate::math::{Mat4, Vec3};
 use crate::raster::{SpanBatch, Traversal};
 use crate::scene::{Camera, Mesh};
 use crate::shade::{
@@ -149,8 +149,8 @@ impl<S: State> Pass<'_, S> {
     {
         let viewport = self.viewport.unwrap_or(Rect::from_size(frame.picture()));
         let triangles = u32::try_from(mesh.triangles()).unwrap_or(u32::MAX);
-        let mesh_matrix = (!H::OWN_POSITIONS).then(|| mesh.matrix());
-        let Some((context, transform)) = prepare(self.camera, model, mesh_matrix, viewport) else {
+        let place = (!H::OWN_POSITIONS).then(|| mesh.place());
+        let Some((context, transform)) = prepare(self.camera, model, place, viewport) else {
             let (_, counter) = self.state.parts();
             for _ in 0..triangles {
                 counter.event(Event::Triangle);
@@ -180,12 +180,13 @@ impl<S: State> Pass<'_, S> {
 
 /// Matrices of a draw; `None` if they are not finite or the viewport is out of range.
 ///
-/// Without `mesh`, positions come in clip space.
+/// `place` is the scale and the offset of the mesh's positions; without it, they come in clip
+/// space.
 #[inline(never)]
 fn prepare(
     camera: &Camera,
     model: &Mat4,
-    mesh: Option<Mat4>,
+    place: Option<(Vec3, Vec3)>,
     viewport: Rect,
 ) -> Option<(DrawContext, Transform)> {
     let (width, height) = (viewport.width(), viewport.height());
@@ -203,10 +204,12 @@ fn prepare(
         viewport: size,
     };
     let near = camera.constant_near();
-    let transform = match mesh {
+    let transform = match place {
         None => Transform::identity(near.is_none()),
-        Some(mesh) => {
-            let matrix = context.model_view_projection() * mesh;
+        Some((scale, offset)) => {
+            let Mat4 { x, y, z, w } = context.model_view_projection();
+            let w = x * offset.x + y * offset.y + z * offset.z + w;
+            let matrix = Mat4::from_columns(x * scale.x, y * scale.y, z * scale.z, w);
             Transform::new(&matrix, near, near.is_none())?
         }
     };

@@ -63,6 +63,30 @@ fn round(v: f32) -> i32 {
     (v + if v < 0.0 { -0.5 } else { 0.5 }) as i32
 }
 
+/// The larger of `largest` and of what a row can reach; what is no number is kept, and refused by
+/// [`exponent`].
+#[inline(never)]
+fn reach(row: &[f32; 4], largest: f32) -> f32 {
+    let [a, b, c, d] = row.map(|v| f32::from_bits(v.to_bits() & 0x7FFF_FFFF));
+    let reach = (a + b + c) * 32768.0 + d;
+    if largest >= reach {
+        largest
+    } else {
+        reach
+    }
+}
+
+/// A row as sixteen-bit mantissas and its translation.
+#[inline(never)]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "a float cast saturates; the scale keeps mantissas in 16 bits"
+)]
+fn integers(row: &[f32; 4], scale: f32) -> ([i16; 3], i32) {
+    let [a, b, c, d] = row.map(|v| round(v * scale));
+    ([a as i16, b as i16, c as i16], d)
+}
+
 impl Transform {
     /// The transform of a matrix from positions (-32768..=32767 by axis) to clip space.
     ///
@@ -75,18 +99,11 @@ impl Transform {
     pub(crate) fn new(matrix: &Mat4, near: Option<f32>, far: bool) -> Option<Self> {
         let [x, y, z, w] = matrix.transpose().to_columns();
         // The largest coordinate that any position can reach, with room for rounding.
-        let mut largest = 0.0_f32;
-        for row in [x, y, w].iter().chain(near.is_none().then_some(&z)) {
-            let [a, b, c, d] = row.map(|v| if v < 0.0 { -v } else { v });
-            let reach = (a + b + c) * 32768.0 + d;
-            // What is no number is kept, and refused by `exponent`.
-            if reach > largest || reach.is_nan() {
-                largest = reach;
-            }
+        let mut largest = reach(&x, reach(&y, reach(&w, 0.0)));
+        if near.is_none() {
+            largest = reach(&z, largest);
         }
         let scale = power_of_two(29 - exponent(largest * 1.0002)?)?;
-        let mantissas = |[a, b, c, _]: [f32; 4]| [a, b, c].map(|v| round(v * scale) as i16);
-        let offset = |[_, _, _, d]: [f32; 4]| round(d * scale);
         let depth = match near {
             None => Depth::Row { far },
             Some(near) => {
@@ -105,13 +122,14 @@ impl Transform {
                 }
             }
         };
-        Some(Self {
-            rows: [mantissas(x), mantissas(y), mantissas(w)],
-            offsets: [offset(x), offset(y), offset(w)],
-            z_row: mantissas(z),
-            z_offset: offset(z),
-            depth,
-        })
+        let mut transform = Self { depth, ..Self::identity(far) };
+        for (row, (scaled, offset)) in
+            [x, y, w].iter().zip(transform.rows.iter_mut().zip(&mut transform.offsets))
+        {
+            (*scaled, *offset) = integers(row, scale);
+        }
+        (transform.z_row, transform.z_offset) = integers(&z, scale);
+        Some(transform)
     }
 
     /// A transform for positions that come in clip space already: depth is made of their z.

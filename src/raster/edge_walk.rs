@@ -35,7 +35,7 @@ impl EdgeWalk {
     /// # Range
     /// All coordinates in the square of [`GUARD`](super::GUARD): the numerator stays below
     /// 2^30 + 2^22 in magnitude.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn new(a: &ScreenVertex, b: &ScreenVertex, y: i32) -> Self {
         let dx = b.x_bits().wrapping_sub(a.x_bits());
         let dy = b.y_bits().wrapping_sub(a.y_bits());

@@ -1,4 +1,4 @@
-use crate::math::{Mat4, Vec3};
+use crate::math::Vec3;
 
 /// How vertices make triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,8 +98,8 @@ impl<'a, A> Mesh<'a, A> {
         corners / 3
     }
 
-    /// From positions to model space.
-    pub(crate) fn matrix(&self) -> Mat4 {
-        Mat4::translation(self.offset) * Mat4::scale(self.scale)
+    /// A step of a position and where position 0 lies, in model space.
+    pub(crate) const fn place(&self) -> (Vec3, Vec3) {
+        (self.scale, self.offset)
     }
 }

@@ -57,9 +57,46 @@ pub(crate) const fn wide_product(a: i32, b: u32) -> i64 {
     }
 }
 
+/// The same as [`weighted_sum`] for the halves of the weights.
+#[inline(always)]
+const fn weighted_sum_by_halves(a: i32, p: i32, b: i32, q: i32) -> i32 {
+    const LOW: i32 = (1 << 14) - 1;
+    let low = a.wrapping_mul(p & LOW).wrapping_add(b.wrapping_mul(q & LOW));
+    let high = a.wrapping_mul(p >> 14).wrapping_add(b.wrapping_mul(q >> 14));
+    high.wrapping_add(low >> 14) >> 2
+}
+
+/// (a p + b q) / 2^16, rounded down.
+///
+/// `a` and `b` must be below 2^16 in magnitude, `p` and `q` at most 2^27.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "below 2^28 in magnitude")]
+pub(crate) const fn weighted_sum(a: i32, p: i32, b: i32, q: i32) -> i32 {
+    if BY_HALVES {
+        weighted_sum_by_halves(a, p, b, q)
+    } else {
+        ((a as i64).wrapping_mul(p as i64).wrapping_add((b as i64).wrapping_mul(q as i64)) >> 16)
+            as i32
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn weighted_sums_by_halves_are_those_of_64_bits() {
+        let ends = [0, 1, -1, 77, -4096, 65_535, -65_535];
+        let weights = [0, 1, -1, 16_383, -16_384, 16_385, 1 << 27, -(1 << 27), (1 << 27) - 1];
+        for (a, b) in ends.iter().flat_map(|a| ends.map(|b| (*a, b))) {
+            for (p, q) in weights.iter().flat_map(|p| weights.map(|q| (*p, q))) {
+                let exact = (i64::from(a) * i64::from(p) + i64::from(b) * i64::from(q)) >> 16;
+                let sum = weighted_sum_by_halves(a, p, b, q);
+                assert_eq!(i64::from(sum), exact, "{a} x {p} + {b} x {q}");
+                assert_eq!(weighted_sum(a, p, b, q), sum, "{a} x {p} + {b} x {q}");
+            }
+        }
+    }
 
     #[test]
     fn products_by_halves_are_those_of_64_bits() {

@@ -17,15 +17,23 @@ pub(super) struct Fill<'a, V: Varying> {
     pub(super) provoking: &'a Corner<V>,
 }
 
-/// What the planes share, and the plane of the depth codes: 16.16, raised by a half so that cutting
-/// off rounds.
+/// The plane of the depth codes: 16.16, raised by a half so that cutting off rounds.
 #[inline(never)]
-fn depth_gradients(triangle: &Triangle) -> (Gradients, Plane) {
-    let gradients = Gradients::new(triangle);
+fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
     let [a, b, c] = &triangle.v;
     let mut plane = gradients.plane(a.z, b.z, c.z);
     plane.origin = plane.origin.wrapping_add(0x8000);
-    (gradients, plane)
+    plane
+}
+
+/// The same where nothing else is interpolated: a triangle of one depth needs no gradients.
+#[inline(never)]
+fn lone_depth_plane(triangle: &Triangle) -> Plane {
+    let [a, b, c] = &triangle.v;
+    if a.z == b.z && a.z == c.z {
+        return Plane { origin: u32::from(a.z) << 16 | 0x8000, dx: 0, dy: 0 };
+    }
+    depth_plane(&Gradients::new(triangle), triangle)
 }
 
 impl<V: Varying> Fill<'_, V> {
@@ -47,37 +55,39 @@ impl<V: Varying> Fill<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let (gradients, z_plane) = if <Access<S>>::TOUCHES {
-            depth_gradients(self.triangle)
-        } else if V::INTERPOLATED {
-            (Gradients::new(self.triangle), Plane::default())
-        } else {
-            (Gradients::default(), Plane::default())
+        // What neither depth nor varyings ask for is not computed.
+        let gradients =
+            if V::INTERPOLATED { Gradients::new(self.triangle) } else { Gradients::NONE };
+        let z_plane = match (<Access<S>>::TOUCHES, V::INTERPOLATED) {
+            (true, true) => depth_plane(&gradients, self.triangle),
+            (true, false) => lone_depth_plane(self.triangle),
+            (false, _) => Plane::default(),
         };
         let planes = V::planes(&gradients, self.corners, self.provoking);
         let (depth, counter) = state.parts();
         loop {
             for span in batch.spans() {
                 let mut left = span.left;
+                let mut start = if V::PIECE == 0 { left } else { span.first };
                 loop {
                     // Where a varying may only be stepped so far, a span is drawn in pieces,
                     // counted from the row's first covered pixel.
-                    let (start, right) = if V::PIECE == 0 {
-                        (left, span.right)
-                    } else {
-                        let pieces = left.wrapping_sub(span.first) & V::PIECE.wrapping_neg();
-                        let start = span.first.wrapping_add(pieces);
-                        (start, start.wrapping_add(V::PIECE).min(span.right))
-                    };
-                    let (mut varying, step) = V::start(&planes, start, span.y);
-                    if left != start {
-                        varying.advance(&step, left.wrapping_sub(start));
+                    let mut right = span.right;
+                    if V::PIECE != 0 {
+                        while left.wrapping_sub(start) >= V::PIECE {
+                            start = start.wrapping_add(V::PIECE);
+                        }
+                        right = right.min(start.wrapping_add(V::PIECE));
                     }
                     let Some((pixels, cells)) =
                         frame.row_with_depth::<Access<S>>(span.y, left, right)
                     else {
                         return;
                     };
+                    let (mut varying, step) = V::start(&planes, start, span.y);
+                    if left != start {
+                        varying.advance(&step, left.wrapping_sub(start));
+                    }
                     shader.span(Row::<S, F, V> {
                         pixels,
                         cells,

@@ -6,6 +6,8 @@
 extern crate std;
 
 pub mod color;
+#[cfg(feature = "embedded-graphics")]
+mod eg;
 pub mod frame;
 pub mod math;
 pub mod models;
@@ -18,6 +20,8 @@ pub mod shade;
 pub mod host;
 
 pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
+#[cfg(feature = "embedded-graphics")]
+pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{Clip, Cull, Pass, ScreenPass, ShadedVertex, VertexCache, Winding};
 pub use scene::{normal, Camera, Indices, Light, Mesh, Normal};

@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         &PackedToon(toon),
     );
     let mut file = AtomicFile::create("toon.tga")?;
-    let rgba: Vec<_> = pixels.into_iter().map(u32::to_le_bytes).collect();
+    let rgba: Vec<_> = pixels.into_iter().map(u32::to_ne_bytes).collect();
     Tga::new(320, 240)?.write(&mut file, &rgba)?;
     file.commit()?;
     println!("toon.tga");

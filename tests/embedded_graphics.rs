@@ -129,7 +129,8 @@ where
             let rows = band.min(HEIGHT as u16 - top);
             let part = &mut found[usize::from(top) * STRIDE..];
             let size = microraster::Size::new(WIDTH as u16, rows);
-            let frame = Frame::<F>::with_stride(part, size, STRIDE as u32).expect("the buffer fits");
+            let frame =
+                Frame::<F>::with_stride(part, size, STRIDE as u32).expect("the buffer fits");
             let mut frame = frame.band(top, HEIGHT as u16).expect("within the picture");
             frame.set_scissor(scissor);
             perform(&mut frame, operation);

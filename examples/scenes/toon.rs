@@ -7,7 +7,7 @@
 )]
 
 #[path = "../shader/toon.rs"]
-mod shader;
+pub(crate) mod shader;
 
 use microraster::math::Vec3;
 use microraster::raster::{

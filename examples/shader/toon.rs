@@ -18,18 +18,18 @@ impl Shader for Toon {
     /// Towards the light in the model's own space, so that no normal has to be turned.
     type Prepared = [i32; 3];
 
-    #[allow(clippy::cast_possible_truncation, reason = "a unit vector times 127")]
+    #[allow(clippy::cast_possible_truncation, reason = "a unit vector times 4096")]
     fn prepare(&self, draw: &DrawContext) -> [i32; 3] {
         let Vec3 { x, y, z } = draw.model.transpose().transform_vector(self.to_light).normalize();
-        [x, y, z].map(|v| (v * 127.0) as i32)
+        [x, y, z].map(|v| (v * 4096.0) as i32)
     }
 
     #[allow(clippy::cast_possible_truncation, reason = "limited to 16 bits just before")]
     fn vertex(&self, [x, y, z]: &[i32; 3], normal: &Normal) -> u16 {
         let [nx, ny, nz] = normal.map(i32::from);
-        // From -127 x 127, turned away, to 127 x 127.
+        // From -127 x 4096, turned away, to 127 x 4096.
         let cosine = x * nx + y * ny + z * nz;
-        ((cosine + 16_129) * 2).clamp(0, 65_535) as u16
+        ((cosine + 127 * 4096) >> 4).clamp(0, 65_535) as u16
     }
 
     fn fragment(&self, brightness: &Scalar) -> Option<Color> {

@@ -1,0 +1,160 @@
+//! Draws a picture with the crate.
+
+use core::ops::AddAssign;
+
+use bytemuck::Pod;
+use microraster::math::Vec3;
+use microraster::raster::ScreenVertex;
+use microraster::{
+    Color, DepthBuffer, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light, Pass, Rgb, Rgb16,
+    Rgb565, Rgb565Be, Rgba8888, ScreenPass, Shader, Size, Stats,
+};
+
+use super::super::toon::shader::Toon;
+use super::shapes::Attributes;
+use super::{Draw, Kind, MeshDraw, Picture, PixelFormat, ScreenCorner, ScreenDraw, Shade};
+
+/// Where light comes from, what it is like and what it falls on.
+pub(crate) const SUN: Vec3 = Vec3::new(-0.3, -0.6, -1.0);
+pub(crate) const SUN_COLOR: Rgb = Rgb::new(204, 204, 204);
+pub(crate) const AMBIENT: Rgb = Rgb::new(51, 51, 51);
+pub(crate) const MATERIAL: Rgb = Rgb::new(230, 190, 140);
+
+/// The tones of [`Shade::Toon`], from dark to bright.
+pub(crate) const TONES: [Rgb; 4] =
+    [Rgb::new(60, 20, 80), Rgb::new(150, 40, 90), Rgb::new(235, 95, 85), Rgb::new(255, 190, 120)];
+/// Towards the light of [`Shade::Toon`].
+pub(crate) const TOWARDS_LIGHT: Vec3 = Vec3::new(0.9, 1.0, 0.5);
+
+/// What was drawn.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Written {
+    pub(crate) pixels: u32,
+    pub(crate) triangles: u32,
+    pub(crate) skipped: u32,
+}
+
+impl AddAssign<Stats> for Written {
+    fn add_assign(&mut self, stats: Stats) {
+        self.pixels += stats.pixels;
+        self.triangles += stats.triangles + stats.lines + stats.points;
+        self.skipped += stats.skipped;
+    }
+}
+
+/// Draws it, band by band where it says so.
+pub(crate) fn render(color: &mut [u32], depth: &mut [u16], picture: &Picture) -> Written {
+    match picture.format {
+        PixelFormat::Rgb565 => bands::<Rgb565>(color, depth, picture),
+        PixelFormat::Rgb565Be => bands::<Rgb565Be>(color, depth, picture),
+        PixelFormat::Rgba8888 => bands::<Rgba8888>(color, depth, picture),
+    }
+    .unwrap_or_default()
+}
+
+fn bands<F: Format>(
+    color: &mut [u32],
+    depth: &mut [u16],
+    picture: &Picture,
+) -> Result<Written, FrameError>
+where
+    F::Raw: Pod,
+{
+    let Size { width, height, .. } = picture.size;
+    let stride = picture.stride.max(width.into());
+    let rows = if picture.band == 0 { height } else { picture.band };
+    let mut pixels: &mut [F::Raw] = bytemuck::cast_slice_mut(color);
+    let (mut first, mut written) = (0, Written::default());
+    while first < height {
+        let rows = rows.min(height - first);
+        let length = (stride as usize * usize::from(rows)).min(pixels.len());
+        let (band, rest) = core::mem::take(&mut pixels).split_at_mut(length);
+        pixels = rest;
+        let size = Size::new(width, rows);
+        // The depth of a band is forgotten when the next one begins.
+        let mut frame =
+            Frame::<F>::with_stride(band, size, stride)?.with_depth(depth)?.band(first, height)?;
+        frame.clear(picture.background);
+        for draw in picture.draws {
+            match draw {
+                Draw::Mesh(draw) => written += mesh(&mut frame, draw),
+                Draw::Screen(draw) => written += screen(&mut frame, draw),
+            }
+        }
+        first += rows;
+    }
+    Ok(written)
+}
+
+fn mesh<F: Format>(frame: &mut Frame<'_, F, DepthBuffer<'_>>, draw: &MeshDraw) -> Stats {
+    let sun = Light::directional(SUN, SUN_COLOR);
+    let light = || Lambert::new(&[sun]).ambient(AMBIENT).material(MATERIAL);
+    let toon = || Toon { tones: TONES.map(Color::from), to_light: TOWARDS_LIGHT };
+    match (draw.shape.arrays().attributes, draw.shade) {
+        (Attributes::Normals(normals), Shade::Flat) => {
+            through(frame, draw, normals, false, &Flat::new(light()))
+        }
+        (Attributes::Normals(normals), Shade::Gouraud) => {
+            through(frame, draw, normals, false, &Gouraud::new(light()))
+        }
+        (Attributes::Normals(normals), Shade::Toon) => {
+            through(frame, draw, normals, false, &toon())
+        }
+        (Attributes::Colors(colors), Shade::Flat) => {
+            through(frame, draw, colors, false, &Flat::colored())
+        }
+        (Attributes::Colors(colors), _) => through(frame, draw, colors, false, &Gouraud::colored()),
+        (Attributes::FaceColors(colors), _) => through(frame, draw, colors, true, &Flat::colored()),
+    }
+}
+
+fn through<F: Format, A, H: Shader<Vertex = A>>(
+    frame: &mut Frame<'_, F, DepthBuffer<'_>>,
+    draw: &MeshDraw,
+    attributes: &'static [A],
+    by_face: bool,
+    shader: &H,
+) -> Stats {
+    let mesh = draw.shape.arrays().mesh(attributes);
+    let mesh = if by_face { mesh.by_face() } else { mesh };
+    let camera = (draw.camera)();
+    let mut pass = Pass::new(&camera).cull(draw.cull).front_face(draw.front);
+    if let Some(viewport) = draw.viewport {
+        pass = pass.viewport(viewport);
+    }
+    if let Some(scissor) = draw.scissor {
+        frame.set_scissor(scissor);
+    }
+    let mut stats = Stats::default();
+    pass.depth(draw.depth).count(&mut stats).draw(frame, &(draw.model)(), &mesh, shader);
+    frame.reset_scissor();
+    stats
+}
+
+fn screen<F: Format>(frame: &mut Frame<'_, F, DepthBuffer<'_>>, draw: &ScreenDraw) -> Stats {
+    let shaded = |(x, y, z, color): ScreenCorner| (ScreenVertex::from_bits(x, y, z), color.into());
+    let corner = |i: u32| (draw.corner)(i).map(shaded);
+    let mut stats = Stats::default();
+    let mut pass = ScreenPass::new().depth(draw.depth).count(&mut stats);
+    let shader = Gouraud::colored();
+    let mut i = 0;
+    while let Some(a) = corner(i) {
+        let a: (ScreenVertex, Rgb16) = a;
+        match (draw.kind, corner(i + 1), corner(i + 2)) {
+            (Kind::Points(size), ..) => {
+                pass.points(frame, &shader, size, &[a]);
+                i += 1;
+            }
+            (Kind::Lines, Some(b), _) => {
+                pass.lines(frame, &shader, &[[a, b]]);
+                i += 2;
+            }
+            (Kind::Triangles, Some(b), Some(c)) => {
+                pass.triangle(frame, &shader, &[a, b, c]);
+                i += 3;
+            }
+            _ => break,
+        }
+    }
+    stats
+}

@@ -1,0 +1,188 @@
+//! The meshes of the small pictures.
+
+use microraster::math::Vec3;
+use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_POSITIONS, TEAPOT_SCALE};
+use microraster::{Indices, Mesh, Normal, Rgb};
+
+/// A mesh by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// Newell's teapot, with normals.
+    Teapot,
+    /// The colour cube: a corner's colour is where it lies.
+    Cube,
+    /// A box with one colour a side.
+    Box,
+    /// A chequered floor, one colour a square.
+    Floor,
+    /// One sheet, in one of three colours.
+    Sheet(usize),
+}
+
+/// What belongs to the vertices or faces of a mesh.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Attributes {
+    Normals(&'static [Normal]),
+    Colors(&'static [Rgb]),
+    FaceColors(&'static [Rgb]),
+}
+
+/// A mesh as the arrays that it is made of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Arrays {
+    pub(crate) positions: &'static [[i16; 3]],
+    pub(crate) attributes: Attributes,
+    pub(crate) indices: Indices<'static>,
+    pub(crate) scale: Vec3,
+    pub(crate) offset: Vec3,
+}
+
+impl Arrays {
+    /// The mesh, with attributes that the caller took from it.
+    pub(crate) fn mesh<A>(&self, attributes: &'static [A]) -> Mesh<'static, A> {
+        Mesh::new(self.positions, attributes).indexed(self.indices).placed(self.scale, self.offset)
+    }
+}
+
+impl Shape {
+    pub(crate) fn arrays(self) -> Arrays {
+        let one = Vec3::new(1.0, 1.0, 1.0);
+        match self {
+            Self::Teapot => Arrays {
+                positions: &TEAPOT_POSITIONS,
+                attributes: Attributes::Normals(&TEAPOT_NORMALS),
+                indices: Indices::U16(&TEAPOT_INDICES),
+                scale: Vec3::new(TEAPOT_SCALE, TEAPOT_SCALE, TEAPOT_SCALE),
+                offset: Vec3::ZERO,
+            },
+            Self::Cube => Arrays {
+                positions: &CORNERS,
+                attributes: Attributes::Colors(&CORNER_COLORS),
+                indices: Indices::U8(&BOX_INDICES),
+                scale: one,
+                offset: Vec3::ZERO,
+            },
+            Self::Box => Arrays {
+                positions: &CORNERS,
+                attributes: Attributes::FaceColors(&SIDE_COLORS),
+                indices: Indices::U8(&BOX_INDICES),
+                scale: one,
+                offset: Vec3::ZERO,
+            },
+            Self::Floor => Arrays {
+                positions: &FLOOR,
+                attributes: Attributes::FaceColors(&FLOOR_COLORS),
+                indices: Indices::U16(&FLOOR_INDICES),
+                scale: one,
+                offset: Vec3::ZERO,
+            },
+            Self::Sheet(i) => Arrays {
+                positions: &SHEET,
+                attributes: Attributes::FaceColors(SHEET_COLORS[i % 3]),
+                indices: Indices::Sequential,
+                scale: one,
+                offset: Vec3::ZERO,
+            },
+        }
+    }
+}
+
+static CORNERS: [[i16; 3]; 8] = [
+    [-1, -1, -1],
+    [1, -1, -1],
+    [-1, 1, -1],
+    [1, 1, -1],
+    [-1, -1, 1],
+    [1, -1, 1],
+    [-1, 1, 1],
+    [1, 1, 1],
+];
+
+static CORNER_COLORS: [Rgb; 8] = [
+    Rgb::BLACK,
+    Rgb::RED,
+    Rgb::GREEN,
+    Rgb::new(255, 255, 0),
+    Rgb::BLUE,
+    Rgb::new(255, 0, 255),
+    Rgb::new(0, 255, 255),
+    Rgb::WHITE,
+];
+
+/// Counter-clockwise from outside: front, back, right, left, top, bottom.
+static BOX_INDICES: [u8; 36] = [
+    4, 5, 7, 4, 7, 6, 1, 0, 2, 1, 2, 3, 5, 1, 3, 5, 3, 7, 0, 4, 6, 0, 6, 2, 6, 7, 3, 6, 3, 2, 0, 1,
+    5, 0, 5, 4,
+];
+
+static SIDE_COLORS: [Rgb; 12] = {
+    let sides = [
+        Rgb::new(235, 95, 85),
+        Rgb::new(255, 190, 120),
+        Rgb::new(110, 180, 95),
+        Rgb::new(70, 130, 180),
+        Rgb::new(240, 230, 200),
+        Rgb::new(95, 75, 100),
+    ];
+    let mut colors = [Rgb::BLACK; 12];
+    let mut i = 0;
+    while i < 12 {
+        colors[i] = sides[i / 2];
+        i += 1;
+    }
+    colors
+};
+
+/// Squares along a side of the floor.
+const SQUARES: usize = 12;
+const LINES: usize = SQUARES + 1;
+
+/// From -12 to 12 at height 0.
+#[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "below 13")]
+static FLOOR: [[i16; 3]; LINES * LINES] = {
+    let mut positions = [[0; 3]; LINES * LINES];
+    let mut i = 0;
+    while i < LINES * LINES {
+        positions[i] = [(i % LINES) as i16 * 2 - 12, 0, (i / LINES) as i16 * 2 - 12];
+        i += 1;
+    }
+    positions
+};
+
+#[allow(clippy::cast_possible_truncation, reason = "fewer than 169 vertices")]
+static FLOOR_INDICES: [u16; 6 * SQUARES * SQUARES] = {
+    let mut indices = [0; 6 * SQUARES * SQUARES];
+    let mut i = 0;
+    while i < SQUARES * SQUARES {
+        let a = (i / SQUARES * LINES + i % SQUARES) as u16;
+        let (b, c, d) = (a + 1, a + LINES as u16, a + LINES as u16 + 1);
+        let six = [a, c, d, a, d, b];
+        let mut k = 0;
+        while k < 6 {
+            indices[6 * i + k] = six[k];
+            k += 1;
+        }
+        i += 1;
+    }
+    indices
+};
+
+static FLOOR_COLORS: [Rgb; 2 * SQUARES * SQUARES] = {
+    let mut colors = [Rgb::BLACK; 2 * SQUARES * SQUARES];
+    let mut i = 0;
+    while i < 2 * SQUARES * SQUARES {
+        let light = (i / 2 % SQUARES + i / 2 / SQUARES).is_multiple_of(2);
+        colors[i] = if light { Rgb::new(230, 220, 200) } else { Rgb::new(90, 60, 70) };
+        i += 1;
+    }
+    colors
+};
+
+static SHEET: [[i16; 3]; 6] =
+    [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, -1, 0], [1, 1, 0], [-1, 1, 0]];
+
+static SHEET_COLORS: [&[Rgb]; 3] = [
+    &[Rgb::new(235, 95, 85), Rgb::new(225, 80, 75)],
+    &[Rgb::new(70, 130, 180), Rgb::new(60, 115, 165)],
+    &[Rgb::new(255, 200, 90), Rgb::new(245, 185, 80)],
+];

@@ -1,0 +1,175 @@
+//! Small pictures against the ones that were kept, exactly, and against a renderer in `f64`.
+//!
+//! `MICRORASTER_REWRITE_GOLDENS=1 cargo test --all-features --test goldens` writes the pictures
+//! anew; one that the `f64` renderer does not agree with is refused.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::float_cmp,
+    reason = "channels and pixels of small pictures"
+)]
+#![allow(dead_code, reason = "the scenes serve other programs too")]
+
+#[path = "support/diamond.rs"]
+mod diamond;
+#[path = "support/reference.rs"]
+mod reference;
+#[path = "../examples/scenes/mod.rs"]
+mod scenes;
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use microraster::{Color, Format, Rgb565, Rgb565Be, Rgba8888};
+use reference::Canvas;
+use scenes::golden::render::{render, Written};
+use scenes::golden::{pictures, Picture, PixelFormat};
+
+type Rgb = [u8; 3];
+
+/// What the crate draws, row by row without gaps, as 8-bit channels.
+fn drawn(picture: &Picture) -> (Vec<Rgb>, Written) {
+    let (mut color, mut depth) = (vec![0u32; scenes::ROOM], vec![0u16; scenes::ROOM]);
+    let written = render(&mut color, &mut depth, picture);
+    let (width, height) = (usize::from(picture.size.width), usize::from(picture.size.height));
+    let stride = width.max(picture.stride as usize);
+    let halves: &[u16] = bytemuck::cast_slice(&color);
+    let unpacked = |i: usize| {
+        let color: Color = match picture.format {
+            PixelFormat::Rgb565 => Rgb565::unpack(halves[i]),
+            PixelFormat::Rgb565Be => Rgb565Be::unpack(halves[i]),
+            PixelFormat::Rgba8888 => Rgba8888::unpack(color[i]),
+        };
+        [color.red(), color.green(), color.blue()]
+    };
+    let rows = (0..height).flat_map(|y| (0..width).map(move |x| y * stride + x));
+    (rows.map(unpacked).collect(), written)
+}
+
+/// One step of a channel of the format in 8 bits.
+fn steps(format: PixelFormat) -> [f64; 3] {
+    match format {
+        PixelFormat::Rgba8888 => [1.0; 3],
+        PixelFormat::Rgb565 | PixelFormat::Rgb565Be => [255.0 / 31.0, 255.0 / 63.0, 255.0 / 31.0],
+    }
+}
+
+/// How a picture agrees with the reference.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Agreement {
+    /// Pixels that are further from the reference than one step of the format.
+    moved: usize,
+    /// Pixels that are further even from everything between what the reference sees around their
+    /// centres.
+    wrong: usize,
+}
+
+/// What the reference sees at the centres of pixels and around them.
+///
+/// Corners are rounded to the subpixel grid, half of 1/16 pixel by axis, and come out of the
+/// vertex stage with an error of at most as much. So a pixel shows what lies within 1/16 pixel of
+/// its centre. Looked at in 25 places: triangles may be thin.
+fn looks(number: usize) -> &'static [Canvas] {
+    static LOOKS: [OnceLock<Vec<Canvas>>; 32] = [const { OnceLock::new() }; 32];
+    let steps = [0.0, -2.0, -1.0, 1.0, 2.0].map(|step| step / 32.0);
+    LOOKS[number].get_or_init(|| {
+        let picture = &pictures()[number];
+        steps.iter().flat_map(|y| steps.map(|x| Canvas::of(picture, [x, *y]))).collect()
+    })
+}
+
+/// Compares with the first of the looks, and with all of them.
+fn agreement(picture: &Picture, pixels: &[Rgb], looks: &[Canvas]) -> Agreement {
+    let mut agreement = Agreement::default();
+    for (i, pixel) in pixels.iter().enumerate() {
+        // Colours are cut off to the format, which is up to one step, and a quarter of an 8-bit
+        // step is the planes' own.
+        let is_between = |canvases: &[Canvas]| {
+            (0..3).all(|k| {
+                let seen = || canvases.iter().map(|canvas| canvas.colors[i][k]);
+                let step = steps(picture.format)[k] + 0.25;
+                let (low, high) = (seen().fold(255.0, f64::min), seen().fold(0.0, f64::max));
+                (low - step..=high + step).contains(&f64::from(pixel[k]))
+            })
+        };
+        agreement.moved += usize::from(!is_between(&looks[..1]));
+        agreement.wrong += usize::from(!is_between(looks));
+    }
+    agreement
+}
+
+/// No pixel is wrong, and few are moved: those on edges, of which no picture has more than a pixel
+/// in three, times the sixteenth by which an edge may move, to both sides.
+fn is_good(picture: &Picture, agreement: Agreement) -> bool {
+    let pixels = usize::from(picture.size.width) * usize::from(picture.size.height);
+    agreement.wrong == 0 && agreement.moved <= pixels / 24
+}
+
+fn file(picture: &Picture) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/goldens/{}.png", picture.name))
+}
+
+#[test]
+fn pictures_are_the_kept_ones_and_those_of_the_reference() {
+    let rewrite = std::env::var_os("MICRORASTER_REWRITE_GOLDENS").is_some();
+    let mut failures = Vec::new();
+    for (number, picture) in pictures().iter().enumerate() {
+        let (pixels, written) = drawn(picture);
+        assert_eq!(written.skipped, 0, "{}: nothing is out of range", picture.name);
+        let agreement = agreement(picture, &pixels, looks(number));
+        println!("{}: {agreement:?}", picture.name);
+        if !is_good(picture, agreement) {
+            failures
+                .push(format!("{} is not what the reference draws: {agreement:?}", picture.name));
+            continue;
+        }
+        let (width, height) = (picture.size.width.into(), picture.size.height.into());
+        let bytes = pixels.as_flattened();
+        if rewrite {
+            image::save_buffer(file(picture), bytes, width, height, image::ColorType::Rgb8)
+                .expect("the picture can be written");
+            continue;
+        }
+        let kept = image::open(file(picture)).map(image::DynamicImage::into_rgb8);
+        if kept.as_ref().ok().map(|kept| kept.as_raw().as_slice()) != Some(bytes) {
+            failures.push(format!("{} is not the kept one", picture.name));
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}
+
+#[test]
+fn bands_and_formats_show_the_same_teapot() {
+    let named = |name: &str| {
+        let picture = pictures().iter().find(|picture| picture.name == name);
+        drawn(picture.expect("a picture of that name")).0
+    };
+    let whole = named("teapot-gouraud");
+    assert!(whole == named("teapot-bands"), "bands");
+    assert!(whole == named("teapot-swapped"), "swapped bytes");
+    let rgba = named("teapot-rgba");
+    let cut = |[r, g, b]: Rgb| [r >> 3, g >> 2, b >> 3];
+    assert!(whole.iter().zip(&rgba).all(|(a, b)| cut(*a) == cut(*b)), "8-bit channels, cut off");
+}
+
+#[test]
+fn the_reference_refuses_pictures_that_are_wrong() {
+    for (number, picture) in pictures().iter().enumerate() {
+        let (pixels, _) = drawn(picture);
+        let refused =
+            |changed: &[Rgb]| !is_good(picture, agreement(picture, changed, looks(number)));
+        let width = usize::from(picture.size.width);
+        let mut shifted = pixels.clone();
+        shifted.rotate_right(1);
+        let mut lower = pixels.clone();
+        lower.rotate_right(width);
+        assert!(refused(&shifted) || refused(&lower), "{}: moved by a pixel", picture.name);
+        let brighter: Vec<Rgb> =
+            pixels.iter().map(|[r, g, b]| [*r, g.saturating_add(12), *b]).collect();
+        assert!(refused(&brighter), "{}: green by three steps", picture.name);
+        let mut spotted = pixels.clone();
+        spotted[width * 31 + 47] = [255, 0, 255];
+        spotted[width * 33 + 47] = [0, 255, 0];
+        assert!(refused(&spotted), "{}: two wrong pixels", picture.name);
+    }
+}

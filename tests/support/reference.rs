@@ -1,0 +1,309 @@
+//! A renderer in `f64` that is obviously correct: every pixel against every triangle, corners
+//! where they are, nothing snapped, nothing shared with the crate but matrices and numbers.
+
+use microraster::math::{Mat4, Vec3};
+use microraster::{AnyDepth, Cull, Indices, Rgb, Size, Winding};
+
+use crate::scenes::golden::render::{AMBIENT, MATERIAL, SUN, SUN_COLOR, TONES, TOWARDS_LIGHT};
+use crate::scenes::golden::shapes::Attributes;
+use crate::scenes::golden::{Draw, Kind, MeshDraw, Picture, ScreenCorner, ScreenDraw, Shade};
+
+type Color = [f64; 3];
+
+/// A picture in colours of 0 to 255 and codes of 0 to 65535.
+#[derive(Clone, Debug)]
+pub(crate) struct Canvas {
+    size: Size,
+    /// Where a pixel is looked at, from its centre, in pixels.
+    look: [f64; 2],
+    pub(crate) colors: Vec<Color>,
+    codes: Vec<f64>,
+}
+
+fn channels(color: Rgb) -> Color {
+    [color.r, color.g, color.b].map(f64::from)
+}
+
+fn vector(v: Vec3) -> [f64; 3] {
+    [v.x, v.y, v.z].map(f64::from)
+}
+
+fn normalized(v: [f64; 3]) -> [f64; 3] {
+    let length = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+    v.map(|v| v / length)
+}
+
+fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Columns of a matrix.
+fn columns(m: &Mat4) -> [[f64; 4]; 4] {
+    m.to_columns().map(|column| column.map(f64::from))
+}
+
+fn transform(m: &Mat4, [x, y, z, w]: [f64; 4]) -> [f64; 4] {
+    let [a, b, c, d] = columns(m);
+    [0, 1, 2, 3].map(|i| a[i] * x + b[i] * y + c[i] * z + d[i] * w)
+}
+
+/// What a triangle's pixels are coloured by.
+enum Paint {
+    Constant(Color),
+    Corners([Color; 3]),
+    /// Brightness at the corners, 0 to 4, and a tone for each.
+    Tones([f64; 3]),
+}
+
+impl Paint {
+    fn at(&self, weights: [f64; 3]) -> Color {
+        match self {
+            Self::Constant(color) => *color,
+            Self::Corners(corners) => {
+                [0, 1, 2].map(|channel| dot(corners.map(|c| c[channel]), weights))
+            }
+            Self::Tones(corners) => {
+                let tone = dot(*corners, weights).clamp(0.0, 3.999);
+                channels(TONES[tone as usize])
+            }
+        }
+    }
+}
+
+/// A mesh draw made ready.
+struct Stage<'a> {
+    draw: &'a MeshDraw,
+    /// Left, top, width, height of the viewport.
+    viewport: [f64; 4],
+    /// Whether what is behind z = 0 is cut off.
+    has_far: bool,
+}
+
+impl Canvas {
+    /// The picture as it is seen `look` pixels beside each pixel's centre.
+    pub(crate) fn of(picture: &Picture, look: [f64; 2]) -> Self {
+        let pixels = usize::from(picture.size.width) * usize::from(picture.size.height);
+        let background = channels(picture.background);
+        let mut canvas = Self {
+            size: picture.size,
+            look,
+            colors: vec![background; pixels],
+            codes: vec![0.0; pixels],
+        };
+        for draw in picture.draws {
+            match draw {
+                Draw::Mesh(draw) => canvas.mesh(draw),
+                Draw::Screen(draw) => canvas.screen(draw),
+            }
+        }
+        canvas
+    }
+
+    /// Tests a pixel's depth and sets it.
+    fn set(&mut self, i: usize, test: AnyDepth, code: f64, color: Color) {
+        let (new, old) = (code.round(), self.codes[i]);
+        let passes = match test {
+            AnyDepth::Off | AnyDepth::Always => true,
+            AnyDepth::Less => new > old,
+            AnyDepth::LessEqual => new >= old,
+            AnyDepth::Greater => new < old,
+            other => panic!("no picture uses {other:?}"),
+        };
+        if passes {
+            self.colors[i] = color;
+            if test != AnyDepth::Off {
+                self.codes[i] = new;
+            }
+        }
+    }
+
+    fn mesh(&mut self, draw: &MeshDraw) {
+        let arrays = draw.shape.arrays();
+        let camera = (draw.camera)();
+        let model = (draw.model)();
+        let whole = [0.0, 0.0, f64::from(self.size.width), f64::from(self.size.height)];
+        let viewport = draw
+            .viewport
+            .map_or(whole, |v| [v.left, v.top, v.right - v.left, v.bottom - v.top].map(f64::from));
+        let projection = camera.projection((viewport[2] / viewport[3]) as f32);
+        let place = |position: &[i16; 3]| {
+            let (scale, offset) = (vector(arrays.scale), vector(arrays.offset));
+            let [x, y, z] = [0, 1, 2].map(|i| f64::from(position[i]) * scale[i] + offset[i]);
+            let world = transform(&model, [x, y, z, 1.0]);
+            transform(&projection, transform(&camera.view(), world))
+        };
+        let clip: Vec<[f64; 4]> = arrays.positions.iter().map(place).collect();
+        let indices: Vec<usize> = match arrays.indices {
+            Indices::Sequential => (0..clip.len()).collect(),
+            Indices::U8(indices) => indices.iter().map(|i| usize::from(*i)).collect(),
+            Indices::U16(indices) => indices.iter().map(|i| usize::from(*i)).collect(),
+        };
+        // Without a far plane, clip z is the same everywhere.
+        let has_far = columns(&projection).iter().take(3).any(|column| column[2] != 0.0);
+        let stage = Stage { draw, viewport, has_far };
+        for (number, corners) in indices.chunks_exact(3).enumerate() {
+            let corners = [corners[0], corners[1], corners[2]];
+            let paint = paint(draw, &model, number, corners);
+            self.triangle(&stage, corners.map(|i| clip[i]), &paint);
+        }
+    }
+
+    /// Pixels whose centres see the triangle: their rays, as combinations of the corners, have no
+    /// negative weight (Olano and Greer, *Triangle Scan Conversion using 2D Homogeneous
+    /// Coordinates*, 1997).
+    fn triangle(&mut self, stage: &Stage<'_>, v: [[f64; 4]; 3], paint: &Paint) {
+        let [a, b, c] = v.map(|[x, y, _, w]| [x, y, w]);
+        let cross = |p: [f64; 3], q: [f64; 3]| {
+            [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+        };
+        let determinant = dot(a, cross(b, c));
+        if determinant == 0.0 {
+            return;
+        }
+        let counter_clockwise = determinant > 0.0;
+        let front = counter_clockwise == (stage.draw.front == Winding::CounterClockwise);
+        match stage.draw.cull {
+            Cull::Back if !front => return,
+            Cull::Front if front => return,
+            _ => {}
+        }
+        let edges = [cross(b, c), cross(c, a), cross(a, b)];
+        let [left, top, width, height] = stage.viewport;
+        for (i, (x, y)) in pixels(self.size) {
+            if stage.draw.scissor.is_some_and(|s| !s.contains(x, y)) {
+                continue;
+            }
+            let ndc_x = (f64::from(x) + 0.5 + self.look[0] - left) / width * 2.0 - 1.0;
+            let ndc_y = 1.0 - (f64::from(y) + 0.5 + self.look[1] - top) / height * 2.0;
+            if ndc_x.abs() > 1.0 || ndc_y.abs() > 1.0 {
+                continue;
+            }
+            // Weights of the point with w = 1 on the ray.
+            let weights = edges.map(|edge| dot(edge, [ndc_x, ndc_y, 1.0]) / determinant);
+            let z = dot(weights, v.map(|v| v[2]));
+            let hidden = z > 1.0 || (stage.has_far && z < 0.0);
+            if weights.iter().any(|weight| *weight < 0.0) || hidden {
+                continue;
+            }
+            // Linear on the screen.
+            let linear = [0, 1, 2].map(|k| weights[k] * v[k][3]);
+            self.set(i, stage.draw.depth, 2.0 + 65_531.0 * z, paint.at(linear));
+        }
+    }
+
+    fn screen(&mut self, draw: &ScreenDraw) {
+        let corners: Vec<ScreenCorner> = (0..).map_while(draw.corner).collect();
+        let size = self.size;
+        match draw.kind {
+            Kind::Triangles => {
+                for triangle in corners.chunks_exact(3) {
+                    let v = [0, 1, 2].map(|k| [f64::from(triangle[k].0), f64::from(triangle[k].1)]);
+                    let area = |a: [f64; 2], b: [f64; 2], p: [f64; 2]| {
+                        (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+                    };
+                    let whole = area(v[0], v[1], v[2]);
+                    for (i, at) in centers(size) {
+                        let parts =
+                            [area(v[1], v[2], at), area(v[2], v[0], at), area(v[0], v[1], at)];
+                        let weights = parts.map(|part| part / whole);
+                        if weights.iter().all(|weight| *weight >= 0.0) {
+                            self.mix(i, draw.depth, triangle, weights);
+                        }
+                    }
+                }
+            }
+            Kind::Lines => {
+                for line in corners.chunks_exact(2) {
+                    let ends = [0, 1].map(|k| {
+                        microraster::raster::ScreenVertex::from_bits(line[k].0, line[k].1, 0)
+                    });
+                    for (i, (x, y)) in pixels(size) {
+                        if crate::diamond::leaves_diamond(&ends[0], &ends[1], x, y) {
+                            let (dx, dy) = (line[1].0 - line[0].0, line[1].1 - line[0].1);
+                            let t = if dx.abs() >= dy.abs() {
+                                f64::from(16 * x + 8 - line[0].0) / f64::from(dx)
+                            } else {
+                                f64::from(16 * y + 8 - line[0].1) / f64::from(dy)
+                            };
+                            let t = t.clamp(0.0, 1.0);
+                            self.mix(i, draw.depth, line, [1.0 - t, t, 0.0]);
+                        }
+                    }
+                }
+            }
+            Kind::Points(side) => {
+                for point in &corners {
+                    let half = f64::from(side) * 8.0;
+                    let within = |at: f64, v: i32| {
+                        let v = f64::from(v);
+                        v - half <= at && at < v + half
+                    };
+                    for (i, [x, y]) in centers(size) {
+                        if within(x, point.0) && within(y, point.1) {
+                            self.mix(i, draw.depth, &[*point], [1.0, 0.0, 0.0]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn mix(&mut self, i: usize, depth: AnyDepth, corners: &[ScreenCorner], weights: [f64; 3]) {
+        let (mut code, mut color) = (0.0, [0.0; 3]);
+        for (corner, weight) in corners.iter().zip(weights) {
+            code += f64::from(corner.2) * weight;
+            for (sum, channel) in color.iter_mut().zip(channels(corner.3)) {
+                *sum += channel * weight;
+            }
+        }
+        self.set(i, depth, code, color);
+    }
+}
+
+/// Every pixel: its number and place.
+fn pixels(size: Size) -> impl Iterator<Item = (usize, (i32, i32))> {
+    let places = (0..i32::from(size.height))
+        .flat_map(move |y| (0..i32::from(size.width)).map(move |x| (x, y)));
+    places.enumerate()
+}
+
+/// Every pixel: its number and its centre in subpixels.
+fn centers(size: Size) -> impl Iterator<Item = (usize, [f64; 2])> {
+    pixels(size).map(|(i, (x, y))| (i, [16 * x + 8, 16 * y + 8].map(f64::from)))
+}
+
+/// How a triangle of a mesh is coloured.
+fn paint(draw: &MeshDraw, model: &Mat4, number: usize, corners: [usize; 3]) -> Paint {
+    match draw.shape.arrays().attributes {
+        Attributes::FaceColors(colors) => Paint::Constant(channels(colors[number])),
+        Attributes::Colors(colors) if draw.shade == Shade::Flat => {
+            Paint::Constant(channels(colors[corners[0]]))
+        }
+        Attributes::Colors(colors) => Paint::Corners(corners.map(|i| channels(colors[i]))),
+        Attributes::Normals(normals) => {
+            let lengths = |v: [f64; 4]| normalized([v[0], v[1], v[2]]);
+            let world = |i: usize| {
+                let [x, y, z] = normals[i].map(|v| f64::from(v) / 127.0);
+                (lengths(transform(model, [x, y, z, 0.0])), (x * x + y * y + z * z).sqrt())
+            };
+            let lit = |i: usize| {
+                let (normal, length) = world(i);
+                let to_light = normalized(vector(SUN).map(|v| -v));
+                let cosine = (dot(normal, to_light) * length).clamp(0.0, 1.0);
+                let (sun, ambient) = (channels(SUN_COLOR), channels(AMBIENT));
+                let material = channels(MATERIAL);
+                [0, 1, 2].map(|k| (ambient[k] + sun[k] * cosine) * material[k] / 255.0)
+            };
+            let tone = |i: usize| {
+                let (normal, length) = world(i);
+                let cosine = dot(normal, normalized(vector(TOWARDS_LIGHT))) * length;
+                (cosine + 1.0) * 127.0 * 4096.0 / 16.0 / 16_384.0
+            };
+            match draw.shade {
+                Shade::Flat => Paint::Constant(lit(corners[0])),
+                Shade::Gouraud => Paint::Corners(corners.map(lit)),
+                Shade::Toon => Paint::Tones(corners.map(tone)),
+            }
+        }
+    }
+}

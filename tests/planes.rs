@@ -1,0 +1,193 @@
+//! Depth and colour over a triangle against exact fractions, and independence of where it is cut.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "random numbers are cut to what is wanted"
+)]
+
+mod support;
+
+use microraster::raster::{ScreenVertex, Triangle};
+use microraster::{
+    Always, Flat, Frame, Gouraud, Less, Rect, Rgb, Rgb16, Rgba8888, ScreenPass, Size,
+};
+use support::{any_corner, Random};
+
+const SIZE: Size = Size::new(24, 20);
+const PIXELS: usize = 24 * 20;
+
+type Shaded = (ScreenVertex, Rgb16);
+
+fn any_triangle(random: &mut Random, class: i32) -> [Shaded; 3] {
+    [(); 3].map(|()| {
+        let v = any_corner(random, class, SIZE);
+        let bits = random.next();
+        // Often at the ends of the range.
+        let z = match bits % 4 {
+            0 => 0,
+            1 => u16::MAX,
+            _ => (bits >> 8) as u16,
+        };
+        let [_, r, g, b, end, ..] = bits.to_le_bytes();
+        let channel = |c: u8| if end % 3 == 0 { c >> 7 } else { c };
+        let full = |c: u8| if end % 3 == 0 { 255 * channel(c) } else { c };
+        (ScreenVertex::new(v.x, v.y, z), Rgb::new(full(r), full(g), full(b)).into())
+    })
+}
+
+/// A long triangle a fraction of a pixel wide.
+fn sliver(random: &mut Random) -> [Shaded; 3] {
+    let [(a, p), (b, q), (c, r)] = any_triangle(random, 6);
+    let near = |v: &ScreenVertex, by: i32, random: &mut Random| {
+        let (x, y) = (v.x.to_bits() + random.range(-by, by), v.y.to_bits() + random.range(-by, by));
+        ScreenVertex::from_bits(x, y, c.z)
+    };
+    let by = random.range(1, 12);
+    [(a, p), (b, q), (near(&a, by, random), r)]
+}
+
+fn draw(triangle: &[Shaded; 3], areas: &[Rect]) -> (Vec<u32>, Vec<u16>) {
+    let (mut pixels, mut depth) = (vec![0; PIXELS], vec![0; PIXELS]);
+    let frame = Frame::<Rgba8888>::new(&mut pixels, SIZE).expect("the buffer fits");
+    let mut frame = frame.with_depth(&mut depth).expect("the buffer fits");
+    for area in areas {
+        frame.set_scissor(*area);
+        ScreenPass::new().depth(Always).triangle(&mut frame, &Gouraud::colored(), triangle);
+    }
+    (pixels, depth)
+}
+
+/// The exact value at a pixel's centre, in fractions of 1 / 2^-40 at worst.
+fn exact(triangle: &[Shaded; 3], of: impl Fn(&Shaded) -> f64, x: i32, y: i32) -> f64 {
+    let p = triangle.map(|(v, _)| (i64::from(v.x.to_bits()), i64::from(v.y.to_bits())));
+    let at = (i64::from(16 * x + 8), i64::from(16 * y + 8));
+    let cross = |a: (i64, i64), b: (i64, i64), c: (i64, i64)| {
+        (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
+    };
+    let area = cross(p[0], p[1], p[2]) as f64;
+    let weights =
+        [cross(p[1], p[2], at), cross(p[2], p[0], at), cross(p[0], p[1], at)].map(|w| w as f64);
+    triangle.iter().zip(weights).map(|(corner, w)| of(corner) * w).sum::<f64>() / area
+}
+
+/// What a plane may be off beside rounding, in steps of a 16-bit attribute: an eighth for
+/// triangles that are neither large nor thin (see `Gradients`). On the others slopes are off by
+/// 2^-17 a pixel, at most 8192 of which lie between the first corner and a pixel of it, by column
+/// and by row.
+const PLANE: f64 = 0.125;
+
+#[test]
+fn depth_and_colour_are_the_exact_ones_within_the_stated_bounds() {
+    let mut random = Random(31);
+    let (mut most_depth, mut most_color, mut compared) = (0.0_f64, 0.0_f64, 0);
+    for i in 0..120_000 {
+        let triangle =
+            if i % 4 == 0 { sliver(&mut random) } else { any_triangle(&mut random, i % 10) };
+        let (pixels, depth) = draw(&triangle, &[Rect::from_size(SIZE)]);
+        for (i, word) in pixels.iter().enumerate().filter(|(_, word)| **word != 0) {
+            compared += 1;
+            let (x, y) = (i as i32 % 24, i as i32 / 24);
+            let code = exact(&triangle, |corner| corner.0.z.into(), x, y);
+            let off = (code - f64::from(depth[i])).abs();
+            most_depth = most_depth.max(off);
+            assert!(off <= 0.5 + PLANE, "code {} for {code} at {x}, {y}: {triangle:?}", depth[i]);
+            let [red, green, blue, _] = word.to_le_bytes();
+            for (k, channel) in [red, green, blue].into_iter().enumerate() {
+                let value =
+                    exact(&triangle, |corner| f64::from(corner.1.channels()[k]) / 256.0, x, y);
+                let off = (value - f64::from(channel)).abs();
+                most_color = most_color.max(off);
+                // Half a step of rounding, a quarter for stepping two channels in one word.
+                let bound = 0.75 + PLANE / 256.0 + 1.0 / 256.0;
+                assert!(off <= bound, "{channel} for {value} at {x}, {y}: {triangle:?}");
+            }
+        }
+    }
+    println!("{compared} pixels: depth off by {most_depth:.4}, colour by {most_color:.4}");
+    assert!(compared > 1_000_000, "only {compared} pixels were compared");
+}
+
+#[test]
+fn scissors_and_bands_change_no_bit() {
+    let mut random = Random(32);
+    for i in 0..20_000 {
+        let triangle =
+            if i % 4 == 0 { sliver(&mut random) } else { any_triangle(&mut random, i % 10) };
+        let (x, y) = (random.range(0, 24), random.range(0, 20));
+        let whole = draw(&triangle, &[Rect::from_size(SIZE)]);
+        let parts = [
+            Rect::new(0, 0, x, y),
+            Rect::new(x, 0, 24, y),
+            Rect::new(0, y, x, 20),
+            Rect::new(x, y, 24, 20),
+        ];
+        assert!(draw(&triangle, &parts) == whole, "cut at {x}, {y}: {triangle:?}");
+        // Bands of any height, with their own buffers.
+        let rows = random.range(1, 20) as u16;
+        let (mut pixels, mut depth) = (Vec::new(), Vec::new());
+        for first in (0..20).step_by(rows.into()) {
+            let height = rows.min(20 - first);
+            let (mut band, mut codes) =
+                (vec![0; 24 * usize::from(height)], vec![0; 24 * usize::from(height)]);
+            let frame = Frame::<Rgba8888>::new(&mut band, Size::new(24, height));
+            let frame = frame.and_then(|frame| frame.with_depth(&mut codes));
+            let mut frame =
+                frame.and_then(|frame| frame.band(first, 20)).expect("a band that fits");
+            ScreenPass::new().depth(Always).triangle(&mut frame, &Gouraud::colored(), &triangle);
+            pixels.extend(band);
+            depth.extend(codes);
+        }
+        assert!((pixels, depth) == whole, "bands of {rows}: {triangle:?}");
+    }
+}
+
+#[test]
+fn equal_corners_give_the_same_bits_as_flat_shading() {
+    let mut random = Random(33);
+    for i in 0..20_000 {
+        let triangle = any_triangle(&mut random, i % 10);
+        let color = triangle[0].1;
+        let triangle = triangle.map(|(v, _)| (v, color));
+        let (gouraud, gouraud_depth) = draw(&triangle, &[Rect::from_size(SIZE)]);
+        let (mut pixels, mut depth) = (vec![0; PIXELS], vec![0; PIXELS]);
+        let frame = Frame::<Rgba8888>::new(&mut pixels, SIZE).expect("the buffer fits");
+        let mut frame = frame.with_depth(&mut depth).expect("the buffer fits");
+        ScreenPass::new().depth(Always).triangle(&mut frame, &Flat::colored(), &triangle);
+        assert!(pixels == gouraud && depth == gouraud_depth, "{triangle:?}");
+    }
+}
+
+#[test]
+fn the_same_triangle_twice_has_the_same_depth() {
+    let mut random = Random(34);
+    for i in 0..10_000 {
+        let triangle = any_triangle(&mut random, i % 10);
+        let (mut pixels, mut depth) = (vec![0; PIXELS], vec![0; PIXELS]);
+        let frame = Frame::<Rgba8888>::new(&mut pixels, SIZE).expect("the buffer fits");
+        let mut frame = frame.with_depth(&mut depth).expect("the buffer fits");
+        ScreenPass::new().depth(Always).triangle(&mut frame, &Gouraud::colored(), &triangle);
+        let mut stats = microraster::Stats::default();
+        let mut pass = ScreenPass::new().depth(Less).count(&mut stats);
+        pass.triangle(&mut frame, &Gouraud::colored(), &triangle);
+        assert_eq!(stats.pixels, 0, "{triangle:?}");
+    }
+}
+
+#[test]
+fn gradients_take_any_triangle() {
+    let mut random = Random(35);
+    for i in 0..100_000 {
+        let v = [(); 3].map(|()| any_corner(&mut random, i % 10, SIZE));
+        if let Some(triangle) = Triangle::new(v, SIZE) {
+            let gradients = microraster::raster::Gradients::new(&triangle);
+            let plane = gradients.plane(0, u16::MAX, random.next() as u16);
+            // The first corner of the oriented triangle has the first value.
+            let first = triangle.vertices()[0];
+            if first.x.to_bits() & 15 == 8 && first.y.to_bits() & 15 == 8 {
+                let value = plane.at(first.x.to_bits() >> 4, first.y.to_bits() >> 4);
+                assert_eq!(value, 0, "{triangle:?}");
+            }
+        }
+    }
+}

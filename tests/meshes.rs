@@ -42,7 +42,7 @@ fn grid_triangles(random: &mut Random, columns: usize, points: usize) -> Vec<[us
     for a in 0..points - columns {
         if a % columns + 1 < columns {
             let (b, c, d) = (a + 1, a + columns + 1, a + columns);
-            let halves = if random.next() % 2 == 0 {
+            let halves = if random.next().is_multiple_of(2) {
                 [[a, b, c], [a, c, d]]
             } else {
                 [[b, c, d], [b, d, a]]

@@ -1,4 +1,25 @@
 //! Exact, lean 3D rendering for microcontroller displays.
+//!
+//! Triangles, lines and points go into a buffer of the caller's, in fixed point, without `alloc`,
+//! without `unsafe`, and with the same bits on every target. [`Pass`] has an example; the README's
+//! is `examples/hello.rs`.
+//!
+//! # The way of a triangle
+//!
+//! | layer | what it does |
+//! | --- | --- |
+//! | [`scene`] | borrows a mesh from flash; says where it is seen from and what light falls on it |
+//! | [`pipeline`] | transforms each vertex once, culls, clips: a [`Pass`] for meshes, a [`ScreenPass`] for what is on the screen already |
+//! | [`raster`] | finds the covered pixels by exact integers, and the planes of what is interpolated |
+//! | [`shade`] | asks a [`Shader`] for the colour of each pixel that passes the depth test |
+//! | [`frame`], [`color`] | store it: formats, stride, bands, scissor |
+//! | [`math`] | vectors, matrices, angles: the same bits everywhere |
+//!
+//! # Features
+//!
+//! None is on by default, and none changes a type. `embedded-graphics` makes a [`Frame`] a draw
+//! target for text and 2D; `std` adds `host` (pictures, model files) and more traversals; `tools`
+//! is what the host program `microraster` needs.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -30,3 +51,8 @@ pub use shade::{
     FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, NotEqual, Off, Row,
     Scalar, Shader, SmoothColor, Solid, State, States, Stats, Uncounted, Varying, VertexColors,
 };
+
+/// The README's example runs with the tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -139,6 +139,33 @@ impl Line {
     }
 }
 
+impl Line {
+    /// The scene's name.
+    pub(crate) fn scene(&self) -> &str {
+        &self.scene
+    }
+
+    /// Frames that were drawn.
+    pub(crate) const fn frames(&self) -> u64 {
+        self.frames
+    }
+
+    /// Instructions of all frames.
+    pub(crate) const fn instructions(&self) -> u64 {
+        self.instructions
+    }
+
+    /// Pixels of all frames.
+    pub(crate) const fn pixels(&self) -> u64 {
+        self.pixels
+    }
+
+    /// Triangles of all frames.
+    pub(crate) const fn triangles(&self) -> u64 {
+        self.triangles
+    }
+}
+
 impl fmt::Display for Line {
     /// Figures are the means of a frame.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -7,6 +7,7 @@ mod bunny;
 mod elf;
 mod emulate;
 mod facts;
+mod figures;
 mod lines;
 mod profile;
 #[path = "../../../../examples/scenes/mod.rs"]
@@ -17,7 +18,9 @@ use board::Board;
 use build::House;
 use elf::Elf;
 use facts::{Counter, Frame, Line};
+use figures::Figures;
 use scenes::{Model, Scene};
+use std::path::PathBuf;
 
 /// Targets for which the bare library is built by `--library`.
 const LIBRARY_TARGETS: [&str; 4] = [
@@ -52,6 +55,9 @@ pub(crate) struct Arguments {
     /// Memory by section; with --sizes, every symbol.
     #[arg(short, long)]
     verbose: bool,
+    /// Put speeds and sizes into the table of a Markdown file.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["profile", "sizes", "library"])]
+    figures: Option<PathBuf>,
     /// Print where the instructions of one scene go, by function and by address.
     #[arg(long, value_name = "SCENE", conflicts_with_all = ["scenes", "sizes", "library"])]
     profile: Option<String>,
@@ -100,9 +106,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     }
 
     let expected: Vec<_> = scenes.iter().map(|scene| facts::draw(scene, bunny, limit)).collect();
-    let mut wrong = 0;
+    let (mut wrong, mut figures) = (0, Figures::default());
     for board in boards {
-        wrong += compare(&house, board, &scenes, &expected, &words, arguments.verbose)?;
+        let lines = compare(&house, board, &scenes, &expected, &words, arguments.verbose)?;
+        wrong += lines.iter().filter(|line| line.differs.is_some()).count();
+        if arguments.figures.is_some() {
+            figures.board(board.name);
+            lines.iter().for_each(|line| figures.scene(line));
+            for (what, bytes) in sizes::figures(&house, board)? {
+                figures.put(&what, bytes.to_string());
+            }
+        }
+    }
+    if let (Some(file), 0) = (&arguments.figures, wrong) {
+        figures.write(file)?;
     }
     if wrong == 0 {
         Ok(())
@@ -139,7 +156,7 @@ fn mesh(house: &House, scenes: &mut Vec<Scene<Counter>>) -> Result<Option<Vec<u3
     Ok(None)
 }
 
-/// Runs the scenes on a board, prints its lines and returns how many scenes differ.
+/// Runs the scenes on a board and prints its lines.
 fn compare(
     house: &House,
     board: &'static Board,
@@ -147,7 +164,7 @@ fn compare(
     expected: &[Vec<Frame>],
     words: &[String],
     verbose: bool,
-) -> Result<usize, String> {
+) -> Result<Vec<Line>, String> {
     let file = house.example("firmware", board)?;
     let bytes = std::fs::read(&file).map_err(|why| format!("{}: {why}", file.display()))?;
     let elf = Elf::read(&bytes).map_err(|why| format!("{}: {why}", file.display()))?;
@@ -157,7 +174,7 @@ fn compare(
     let printed = emulate::run(board, &file, &house.firmware()?, words, None)?;
     let report = lines::Report::read(&printed)?;
 
-    let mut wrong = 0;
+    let mut lines = Vec::new();
     for (scene, expected) in scenes.iter().zip(expected) {
         let own = report.frames.iter().filter(|frame| frame.scene == scene.name);
         let drawn: Vec<_> = own.cloned().collect();
@@ -165,8 +182,8 @@ fn compare(
         println!("{line}");
         if let Some(how) = &line.differs {
             eprintln!("board={} scene={} {how}", board.name, scene.name);
-            wrong += 1;
         }
+        lines.push(line);
     }
     println!("board={} flash={} ram={} stack={}", board.name, elf.flash(), elf.ram(), report.stack);
     if verbose {
@@ -179,5 +196,5 @@ fn compare(
             println!("board={} section={} {memory}={}", board.name, section.name, section.size);
         }
     }
-    Ok(wrong)
+    Ok(lines)
 }

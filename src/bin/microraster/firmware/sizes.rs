@@ -97,6 +97,40 @@ impl Weights {
     }
 }
 
+/// What the proofs weigh on a board: what each is for, and its bytes.
+///
+/// # Errors
+/// A build failed, a file cannot be read, or a proof links a heap.
+pub(crate) fn figures(house: &House, board: &Board) -> Result<Vec<(String, u32)>, String> {
+    let (mut figures, mut before) = (Vec::new(), 0);
+    for proof in PROOFS {
+        let elf = proof_elf(house, board, proof)?;
+        let weight = match proof {
+            "size_two" => elf.flash().saturating_sub(before),
+            _ => Weights::of(&elf).counted(),
+        };
+        let what = match proof {
+            "size_flat" => "flash of flat triangles, bytes",
+            "size_gouraud" => "flash of Gouraud with depth, bytes",
+            _ => "flash of a second shader and state, bytes",
+        };
+        figures.push((what.to_owned(), weight));
+        before = elf.flash();
+    }
+    Ok(figures)
+}
+
+/// Builds a proof; it must not link a heap.
+fn proof_elf(house: &House, board: &Board, proof: &str) -> Result<Elf, String> {
+    let file = house.example(proof, board)?;
+    let bytes = std::fs::read(&file).map_err(|why| format!("{}: {why}", file.display()))?;
+    let elf = Elf::read(&bytes)?;
+    match elf.allocator() {
+        Some(name) => Err(format!("{proof} on {} links a heap: {name}", board.name)),
+        None => Ok(elf),
+    }
+}
+
 /// Builds and weighs the proofs; with `verbose`, every symbol too.
 ///
 /// # Errors
@@ -118,12 +152,7 @@ pub(crate) fn print(house: &House, boards: &[&Board], verbose: bool) -> Result<(
     for board in boards {
         let mut before = None;
         for proof in PROOFS {
-            let file = house.example(proof, board)?;
-            let bytes = std::fs::read(&file).map_err(|why| format!("{}: {why}", file.display()))?;
-            let elf = Elf::read(&bytes)?;
-            if let Some(name) = elf.allocator() {
-                return Err(format!("{proof} on {} links a heap: {name}", board.name));
-            }
+            let elf = proof_elf(house, board, proof)?;
             let weights = Weights::of(&elf);
             println!(
                 "{:5} {proof:14} {:8} {:8} {:8} {:10} {:8} {:8} {:9} {:8}",

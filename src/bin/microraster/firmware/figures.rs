@@ -1,0 +1,114 @@
+//! The table of figures in a Markdown file, made from what was just measured.
+
+use super::facts::Line;
+use std::fmt::Write;
+use std::path::Path;
+
+const BEGIN: &str = "<!-- figures: made by `cargo firmware --figures`, not by hand -->";
+const END: &str = "<!-- end of figures -->";
+
+/// Rows of the table, one a figure; a cell a board.
+#[derive(Debug, Default)]
+pub(crate) struct Figures {
+    boards: Vec<String>,
+    rows: Vec<(String, Vec<String>)>,
+}
+
+impl Figures {
+    /// Starts a column.
+    pub(crate) fn board(&mut self, name: &str) {
+        self.boards.push(name.to_owned());
+    }
+
+    /// Puts a figure into the column that was started last.
+    pub(crate) fn put(&mut self, what: &str, figure: String) {
+        let column = self.boards.len().saturating_sub(1);
+        let row = match self.rows.iter().position(|(name, _)| name == what) {
+            Some(row) => row,
+            None => {
+                self.rows.push((what.to_owned(), Vec::new()));
+                self.rows.len() - 1
+            }
+        };
+        if let Some((_, cells)) = self.rows.get_mut(row) {
+            cells.resize(column, String::new());
+            cells.push(figure);
+        }
+    }
+
+    /// Puts a scene's figure: by pixel for fills, by triangle for small triangles, by frame for
+    /// meshes.
+    pub(crate) fn scene(&mut self, line: &Line) {
+        let scene = line.scene();
+        let by = |count: u64| line.instructions() as f64 / count.max(1) as f64;
+        match scene.get(..1) {
+            Some("S") => {
+                let figure = format!("{:.0}", by(line.triangles()));
+                self.put(&format!("{scene}, instructions a triangle"), figure);
+            }
+            Some("M") => {
+                let figure = format!("{:.2} M", by(line.frames()) / 1e6);
+                self.put(&format!("{scene}, instructions a frame"), figure);
+            }
+            _ => {
+                let figure = format!("{:.2}", by(line.pixels()));
+                self.put(&format!("{scene}, instructions a pixel"), figure);
+            }
+        }
+    }
+
+    fn table(&self) -> String {
+        let mut table = format!(
+            "| |{}\n| --- |",
+            self.boards.iter().fold(String::new(), |mut head, board| {
+                // Writing to a string cannot fail.
+                let _ = write!(head, " {board} |");
+                head
+            })
+        );
+        table.push_str(&" ---: |".repeat(self.boards.len()));
+        for (what, cells) in &self.rows {
+            let _ = write!(table, "\n| {what} | {} |", cells.join(" | "));
+        }
+        table
+    }
+
+    /// Replaces what stands between the marks.
+    ///
+    /// # Errors
+    /// The file cannot be read or written, or has no marks.
+    pub(crate) fn write(&self, file: &Path) -> Result<(), String> {
+        let cannot = |why: &dyn std::fmt::Display| format!("{}: {why}", file.display());
+        let text = std::fs::read_to_string(file).map_err(|why| cannot(&why))?;
+        let replaced = self.replaced(&text).ok_or_else(|| {
+            cannot(&format!("figures go between the lines `{BEGIN}` and `{END}`"))
+        })?;
+        std::fs::write(file, replaced).map_err(|why| cannot(&why))
+    }
+
+    fn replaced(&self, text: &str) -> Option<String> {
+        let (before, rest) = text.split_once(BEGIN)?;
+        let (_, after) = rest.split_once(END)?;
+        Some(format!("{before}{BEGIN}\n{}\n{END}{after}", self.table()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_takes_the_place_of_the_old_one() {
+        let mut figures = Figures::default();
+        figures.board("m4");
+        figures.put("one", "1".into());
+        figures.board("m0");
+        figures.put("one", "2".into());
+        figures.put("late", "3".into());
+        let text = format!("above\n{BEGIN}\nold\n{END}\nbelow\n");
+        let table = "| | m4 | m0 |\n| --- | ---: | ---: |\n| one | 1 | 2 |\n| late |  | 3 |";
+        let expected = format!("above\n{BEGIN}\n{table}\n{END}\nbelow\n");
+        assert_eq!(figures.replaced(&text), Some(expected), "the file");
+        assert_eq!(figures.replaced("no marks"), None, "nowhere to put it");
+    }
+}

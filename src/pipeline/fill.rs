@@ -1,6 +1,6 @@
 use crate::color::Format;
 use crate::frame::{DepthAccess, Frame, Supplies};
-use crate::raster::{Gradients, Plane, SpanBatch, SpanWalk, Traversal, Triangle};
+use crate::raster::{Gradients, Pieces, Plane, Span, SpanBatch, SpanWalk, Traversal, Triangle};
 use crate::shade::{Corner, DepthTest, Row, Shader, State, Varying};
 
 /// How a state touches depth.
@@ -64,50 +64,71 @@ impl<V: Varying> Fill<'_, V> {
             (false, _) => Plane::default(),
         };
         let planes = V::planes(&gradients, self.corners, self.provoking);
-        let (depth, counter) = state.parts();
+        let is_long = V::PIECE != 0 && Pieces::are_needed(self.triangle, V::PIECE);
+        let mut pieces = is_long.then(Pieces::default);
         loop {
-            for span in batch.spans() {
-                let mut left = span.left;
-                let mut start = if V::PIECE == 0 { left } else { span.first };
-                loop {
-                    // Where a varying may only be stepped so far, a span is drawn in pieces,
-                    // counted from the row's first covered pixel.
-                    let mut right = span.right;
-                    if V::PIECE != 0 {
-                        while left.wrapping_sub(start) >= V::PIECE {
-                            start = start.wrapping_add(V::PIECE);
-                        }
-                        right = right.min(start.wrapping_add(V::PIECE));
-                    }
-                    let Some((pixels, cells)) =
-                        frame.row_with_depth::<Access<S>>(span.y, left, right)
-                    else {
-                        return;
-                    };
-                    let (mut varying, step) = V::start(&planes, start, span.y);
-                    if left != start {
-                        varying.advance(&step, left.wrapping_sub(start));
-                    }
-                    shader.span(Row::<S, F, V> {
-                        pixels,
-                        cells,
-                        z: z_plane.at(left, span.y),
-                        z_step: z_plane.dx,
-                        varying,
-                        step,
-                        depth,
-                        counter,
-                    });
-                    left = right;
-                    if V::PIECE == 0 || left >= span.right {
-                        break;
-                    }
-                }
+            let spans = match &mut pieces {
+                Some(pieces) => pieces.take(batch, V::PIECE),
+                None => batch.spans(),
+            };
+            let ready = Ready { planes: &planes, z_plane: &z_plane };
+            if ready.draw::<H, S, F, D>(spans, frame, state, shader).is_none() {
+                return;
+            }
+            if pieces.as_ref().is_some_and(|pieces| !pieces.is_last()) {
+                continue;
             }
             if batch.is_last() {
                 return;
             }
             walk.next_spans(batch);
         }
+    }
+}
+
+/// A triangle's planes, ready for its spans.
+struct Ready<'a, V: Varying> {
+    planes: &'a V::Planes,
+    z_plane: &'a Plane,
+}
+
+impl<V: Varying> Ready<'_, V> {
+    /// Draws spans; `None` if the frame does not reach so far.
+    ///
+    /// Apart from the walk, so that the registers are the pixel loop's.
+    #[inline(never)]
+    fn draw<H, S, F, D>(
+        &self,
+        spans: &[Span],
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        shader: &H,
+    ) -> Option<()>
+    where
+        H: Shader<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let (depth, counter) = state.parts();
+        for &Span { y, first, left, right } in spans {
+            let (pixels, cells) = frame.row_with_depth::<Access<S>>(y, left, right)?;
+            let start = if V::PIECE == 0 { left } else { first };
+            let (mut varying, step) = V::start(self.planes, start, y);
+            if left != start {
+                varying.advance(&step, left.wrapping_sub(start));
+            }
+            shader.span(Row::<S, F, V> {
+                pixels,
+                cells,
+                z: self.z_plane.at(left, y),
+                z_step: self.z_plane.dx,
+                varying,
+                step,
+                depth,
+                counter,
+            });
+        }
+        Some(())
     }
 }

@@ -156,6 +156,7 @@ impl LineWalk {
 }
 
 impl SpanWalk for LineWalk {
+    #[inline(never)]
     fn next_spans(&mut self, batch: &mut SpanBatch) {
         batch.clear();
         while self.at < self.end {

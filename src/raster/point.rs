@@ -34,6 +34,7 @@ impl PointWalk {
 }
 
 impl SpanWalk for PointWalk {
+    #[inline(never)]
     fn next_spans(&mut self, batch: &mut SpanBatch) {
         batch.clear();
         let Self { left, right, first, .. } = *self;

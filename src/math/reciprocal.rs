@@ -1,4 +1,4 @@
-use super::wide::{mul_high, mul_high_signed};
+use super::wide::{mul_high_31, mul_high_signed};
 
 /// One over an integer: 1 / n is about `mantissa` / 2^`shift`.
 ///
@@ -66,7 +66,7 @@ pub fn reciprocal(n: u32) -> Reciprocal {
 
     // Second step. The error 2^30 (1 - f x) is under 2^17, so it goes into the product with
     // 13 bits more.
-    let error = (1u32 << 30).wrapping_sub(mul_high(normal, estimate)).cast_signed();
+    let error = (1u32 << 30).wrapping_sub(mul_high_31(normal, estimate)).cast_signed();
     let correction = mul_high_signed(error.wrapping_shl(13), estimate >> 1) >> 10;
     let mantissa = estimate.wrapping_add(correction.cast_unsigned());
 

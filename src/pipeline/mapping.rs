@@ -2,7 +2,7 @@ use super::projected::{flag, Projected};
 use super::transform::Depth;
 use super::Clip;
 use crate::frame::Rect;
-use crate::math::{mul_high, mul_high_signed, reciprocal, Reciprocal};
+use crate::math::{mul_high_31, mul_high_signed, reciprocal, Reciprocal};
 use crate::raster::{ScreenVertex, GUARD, SUBPIXELS};
 
 /// Half a side of the viewport in subpixels, normalised: side = mantissa 2^-shift.
@@ -148,14 +148,14 @@ impl Mapping {
         let above_two = match self.depth {
             Depth::Near { numerator, shift, .. } => {
                 let down = 28_i32.wrapping_add(shift).wrapping_sub(room as i32).clamp(1, 31);
-                let quotient = mul_high(numerator, mantissa);
+                let quotient = mul_high_31(numerator, mantissa);
                 quotient.wrapping_add(1 << (down - 1)) >> down
             }
             Depth::Row { .. } => {
                 // z / w as 2.28, times 65531 as 13 more bits.
                 let z = clip.z.clamp(0, clip.w.max(1)) as u32;
-                let ratio = mul_high(z << room, mantissa);
-                mul_high(ratio << 3, 65531 << 14).wrapping_add(1 << 12) >> 13
+                let ratio = mul_high_31(z << room, mantissa);
+                mul_high_31(ratio << 3, 65531 << 14).wrapping_add(1 << 12) >> 13
             }
         };
         above_two.wrapping_add(2).min(65535) as u16
@@ -176,7 +176,7 @@ pub(super) fn near_slack(w: i32) -> i32 {
     reason = "in range by shifts and clamps, or compared with the original"
 )]
 fn scaled(v: i32, mantissa: u32, half: HalfSide, room: u32) -> i32 {
-    let factor = mul_high(mantissa, half.mantissa);
+    let factor = mul_high_31(mantissa, half.mantissa);
     let down = 28_u32.wrapping_add(half.shift).wrapping_sub(room);
     if down > 32 {
         let high = mul_high_signed(v, factor);

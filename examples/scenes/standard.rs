@@ -175,17 +175,23 @@ fn s1_raster<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Fac
     if let Ok(mut frame) = frame(stage.color, stage.depth) {
         let shader = Flat::colored();
         measured!(probe, ScreenPass::new().depth(Less), |pass| {
+            // A few quads at a time: the stack is measured too.
+            const QUADS: usize = 16;
             for row in 0..grid::ROWS as i32 {
-                let mut triangles = [Default::default(); 2 * grid::COLUMNS];
-                for (column, pair) in triangles.chunks_exact_mut(2).enumerate() {
-                    let (x, y) = (column as i32 * 32, row * 32);
-                    let color = Rgb::new(column as u8, row as u8, 128).into();
-                    let corner =
-                        |dx: i32, dy: i32| (ScreenVertex::from_bits(x + dx, y + dy, 30_000), color);
-                    let [a, b, c, d] = [corner(0, 0), corner(32, 0), corner(32, 32), corner(0, 32)];
-                    pair.copy_from_slice(&[[a, c, b], [a, d, c]]);
+                for first in (0..grid::COLUMNS).step_by(QUADS) {
+                    let mut triangles = [Default::default(); 2 * QUADS];
+                    for (column, pair) in (first..).zip(triangles.chunks_exact_mut(2)) {
+                        let (x, y) = (column as i32 * 32, row * 32);
+                        let color = Rgb::new(column as u8, row as u8, 128).into();
+                        let corner = |dx: i32, dy: i32| {
+                            (ScreenVertex::from_bits(x + dx, y + dy, 30_000), color)
+                        };
+                        let [a, b, c, d] =
+                            [corner(0, 0), corner(32, 0), corner(32, 32), corner(0, 32)];
+                        pair.copy_from_slice(&[[a, c, b], [a, d, c]]);
+                    }
+                    pass.triangles(&mut frame, &shader, &triangles);
                 }
-                pass.triangles(&mut frame, &shader, &triangles);
             }
         });
     }

@@ -10,6 +10,7 @@ mod support;
 
 use microraster::math::{AngleUnits, Mat4, Vec3, Vec4};
 use microraster::models::TEAPOT;
+#[cfg(feature = "std")]
 use microraster::raster::AnyTraversal;
 use microraster::{
     AnyDepth, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, FlatColor, Frame, FrameError,
@@ -80,6 +81,7 @@ fn depth_tests_of_types_and_of_runtime_agree() {
     assert!(off != draw(None), "depth makes a difference");
 }
 
+#[cfg(feature = "std")]
 #[test]
 fn traversals_give_the_same_picture_through_a_pass() {
     let draw = |traversal: AnyTraversal| {

@@ -16,7 +16,7 @@
 //! ```
 
 mod bezier;
-mod newell;
+pub(crate) mod newell;
 mod teapot;
 #[cfg(test)]
 mod teapot_tests;

@@ -6,10 +6,10 @@
 //! patch.
 
 /// How many of the integers in [`POINTS`] make one unit of the published coordinates.
-pub(super) const UNITS: i64 = 100_000;
+pub(crate) const UNITS: i64 = 100_000;
 
 /// The sixteen control points of each patch, row by row, counted **from one**.
-pub(super) const PATCHES: [[u16; 16]; 32] = [
+pub(crate) const PATCHES: [[u16; 16]; 32] = [
     [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16],
     [4, 17, 18, 19, 8, 20, 21, 22, 12, 23, 24, 25, 16, 26, 27, 28],
     [19, 29, 30, 31, 22, 32, 33, 34, 25, 35, 36, 37, 28, 38, 39, 40],
@@ -45,7 +45,7 @@ pub(super) const PATCHES: [[u16; 16]; 32] = [
 ];
 
 /// The control points (x, y, z) in [`UNITS`]: five decimals, hence exact.
-pub(super) const POINTS: [[i32; 3]; 306] = [
+pub(crate) const POINTS: [[i32; 3]; 306] = [
     [140_000, 0, 240_000],
     [140_000, -78_400, 240_000],
     [78_400, -140_000, 240_000],

@@ -12,7 +12,6 @@ mod lines;
 mod material;
 #[cfg(feature = "tools")]
 mod mtl;
-mod newell;
 #[cfg(feature = "tools")]
 mod obj;
 #[cfg(feature = "tools")]

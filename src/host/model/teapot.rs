@@ -1,9 +1,9 @@
 //! The bundled model: Newell's teapot, tessellated.
 
 use super::builder::{Builder, RawCorner};
-use super::newell::{PATCHES, POINTS};
 use super::vector::{add, cross, unit, Vector};
 use super::{Material, Model};
+use crate::models::newell::{PATCHES, POINTS, UNITS};
 use std::prelude::rust_2021::*;
 
 impl Model {
@@ -84,7 +84,7 @@ fn sum(patch: &[u16; 16], u: [f64; 4], v: [f64; 4]) -> Vector {
         let place = usize::from(number).saturating_sub(1);
         let [x, y, z] = POINTS.get(place).copied().unwrap_or_default();
         // From z up to y up.
-        let point = [x, z, -y].map(|c| f64::from(c) * weight);
+        let point = [x, z, -y].map(|c| f64::from(c) / UNITS as f64 * weight);
         add(sum, point)
     })
 }

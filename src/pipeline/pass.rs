@@ -207,9 +207,14 @@ fn prepare(
     let transform = match place {
         None => Transform::identity(near.is_none()),
         Some((scale, offset)) => {
-            let Mat4 { x, y, z, w } = context.model_view_projection();
-            let w = x * offset.x + y * offset.y + z * offset.z + w;
-            let matrix = Mat4::from_columns(x * scale.x, y * scale.y, z * scale.z, w);
+            let mut matrix = context.model_view_projection();
+            matrix.w = matrix * offset.extend(1.0);
+            for (column, factor) in
+                [&mut matrix.x, &mut matrix.y, &mut matrix.z].into_iter().zip(scale.to_array())
+            {
+                // A loop: this is about flash.
+                *column *= core::hint::black_box(factor);
+            }
             Transform::new(&matrix, near, near.is_none())?
         }
     };

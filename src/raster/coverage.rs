@@ -72,6 +72,19 @@ impl SpanBatch {
         }
     }
 
+    /// Limits the spans to the columns `left..right`.
+    #[inline(never)]
+    pub(super) fn clip(&mut self, left: i32, right: i32) {
+        let taken = core::mem::take(&mut self.length);
+        for at in 0..taken {
+            let Some(span) = self.spans.get(at).copied() else { return };
+            let span = Span { left: span.left.max(left), right: span.right.min(right), ..span };
+            if span.left < span.right {
+                self.push(span);
+            }
+        }
+    }
+
     /// The spans that were taken.
     #[inline(always)]
     pub fn spans(&self) -> &[Span] {

@@ -6,37 +6,96 @@ use crate::frame::Rect;
 /// the edges, so that no pixel is tested.
 ///
 /// # Cost
-/// About 20 instructions a row on Cortex-M4 and a division an edge where the core has one; not
+/// About 13 instructions a row on Cortex-M4 and a division an edge where the core has one; not
 /// generic, so that one copy serves every shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans {
-    long: EdgeWalk,
-    short: EdgeWalk,
+    left: EdgeWalk,
+    right: EdgeWalk,
     y: i32,
     /// The row at which the short side changes over to its second edge, or the end.
     turn: i32,
     end: i32,
-    left: i32,
-    right: i32,
-    /// Whether the long edge is the right one.
-    long_is_right: bool,
+    /// The second edge of the short side, and whether it is the right one.
     middle: ScreenVertex,
     low: ScreenVertex,
+    turns_right: bool,
+    /// The columns to draw, where the triangle reaches beyond them.
+    columns: Option<(i32, i32)>,
 }
 
-/// The first row whose centre is at or below `y`.
+/// The first row whose centre is at or below `y`; likewise of columns.
 #[inline(always)]
-fn first_row(vertex: &ScreenVertex) -> i32 {
-    vertex.y_bits().wrapping_add(7) >> 4
+const fn first_center(bits: i32) -> i32 {
+    bits.wrapping_add(7) >> 4
 }
 
-/// A triangle's corners from top to bottom, and the rows between them that are drawn.
+/// An edge that gives one column a row.
+trait Edge {
+    /// The first column whose centre is not left of the edge, from `origin`.
+    fn column(&self, origin: i32) -> i32;
+    /// Goes one row down.
+    fn step(&mut self);
+}
+
+impl Edge for ShortEdge {
+    #[inline(always)]
+    fn column(&self, origin: i32) -> i32 {
+        origin.wrapping_add(ShortEdge::column(self))
+    }
+
+    #[inline(always)]
+    fn step(&mut self) {
+        ShortEdge::step(self);
+    }
+}
+
+impl Edge for EdgeWalk {
+    #[inline(always)]
+    fn column(&self, _origin: i32) -> i32 {
+        self.x
+    }
+
+    #[inline(always)]
+    fn step(&mut self) {
+        EdgeWalk::step(self);
+    }
+}
+
+/// Takes the rows from `y` to `end` between two edges: those that hold a pixel, while there are
+/// places.
+#[inline(always)]
+fn take_rows<E: Edge>(
+    left: &mut E,
+    right: &mut E,
+    origin: i32,
+    mut y: i32,
+    end: i32,
+    places: &mut core::slice::IterMut<'_, Span>,
+) {
+    while y < end {
+        let (first, behind) = (left.column(origin), right.column(origin));
+        if first < behind {
+            if let Some(place) = places.next() {
+                *place = Span { y, first, left: first, right: behind };
+            }
+        }
+        left.step();
+        right.step();
+        y = y.wrapping_add(1);
+        // Keeps the compiler from unrolling: four copies of this cost more than they save.
+        core::hint::black_box(());
+    }
+}
+
+/// A triangle's corners from its highest, and the rows between them that are drawn.
 #[derive(Clone, Copy, Debug)]
-struct Sorted<'a> {
+struct Descent<'a> {
     high: &'a ScreenVertex,
     middle: &'a ScreenVertex,
     low: &'a ScreenVertex,
-    long_is_right: bool,
+    /// Whether the side with the middle corner is the right one.
+    turns_right: bool,
     start: i32,
     turn: i32,
     end: i32,
@@ -48,156 +107,137 @@ impl Spans {
     #[inline(never)]
     pub fn start(&mut self, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
         batch.clear();
-        // Sort by y; each exchange turns the orientation over.
+        // Clockwise from the highest corner: the next one is on its right side.
         let [a, b, c] = &triangle.v;
-        let (mut high, mut middle, mut low) = (a, b, c);
-        let mut flip = false;
-        if middle.y_bits() < high.y_bits() {
-            core::mem::swap(&mut high, &mut middle);
-            flip = !flip;
-        }
-        if low.y_bits() < middle.y_bits() {
-            core::mem::swap(&mut middle, &mut low);
-            flip = !flip;
-            if middle.y_bits() < high.y_bits() {
-                core::mem::swap(&mut high, &mut middle);
-                flip = !flip;
+        let (mut high, mut right, mut left) = (a, b, c);
+        if b.y_bits() < a.y_bits() || c.y_bits() < a.y_bits() {
+            if b.y_bits() < c.y_bits() {
+                (high, right, left) = (b, c, a);
+            } else {
+                (high, right, left) = (c, a, b);
             }
         }
+        let turns_right = right.y_bits() < left.y_bits();
+        let (middle, low) = if turns_right { (right, left) } else { (left, right) };
         // Rows from the first centre at or below the top to the last above the bottom.
-        let start = first_row(high).max(area.top);
-        let end = first_row(low).min(area.bottom);
-        if start >= end {
-            return;
-        }
+        let start = first_center(high.y_bits()).max(area.top);
+        let end = first_center(low.y_bits()).min(area.bottom);
         // The same for columns: a narrow triangle may pass between the centres.
-        let column = |x: i32| x.wrapping_add(7) >> 4;
         let (x, y, z) = (a.x_bits(), b.x_bits(), c.x_bits());
         let (least, most) = (x.min(y).min(z), x.max(y).max(z));
-        if column(least).max(area.left) >= column(most).min(area.right) {
+        let (first, behind) = (first_center(least), first_center(most));
+        if start >= end || first.max(area.left) >= behind.min(area.right) {
             return;
         }
-        let turn = first_row(middle).max(area.top).min(end);
-        let sorted = Sorted { high, middle, low, long_is_right: flip, start, turn, end };
+        let turn = first_center(middle.y_bits()).max(area.top).min(end);
+        let descent = Descent { high, middle, low, turns_right, start, turn, end };
         let height = low.y_bits().wrapping_sub(high.y_bits());
+        let reaches_beyond = first < area.left || behind > area.right;
         if height <= TALLEST && most.wrapping_sub(least) < WIDEST {
-            sorted.take_short(area, batch);
+            descent.take_short(batch);
+            if reaches_beyond {
+                batch.clip(area.left, area.right);
+            }
         } else {
-            *self = sorted.walk(area);
+            descent.walk(self);
+            self.columns = reaches_beyond.then_some((area.left, area.right));
             self.next_spans(batch);
         }
     }
 }
 
-impl Sorted<'_> {
+impl Descent<'_> {
     /// All spans of a short triangle.
     #[inline(always)]
-    fn take_short(&self, area: Rect, batch: &mut SpanBatch) {
-        let Self { high, middle, low, long_is_right, start, turn, end } = *self;
-        let origin = high.x_bits() >> 4;
+    fn take_short(&self, batch: &mut SpanBatch) {
+        let origin = self.high.x_bits() >> 4;
         let edge = |a, b, y| ShortEdge::new(a, b, y, origin);
-        let long = edge(high, low, start);
-        let (short, mut stop) = if start < turn {
-            (edge(high, middle, start), turn)
-        } else {
-            (edge(middle, low, start), end)
-        };
-        let (mut left, mut right) = if long_is_right { (short, long) } else { (long, short) };
-        let (mut y, mut taken) = (start, 0_usize);
+        let mut long = edge(self.high, self.low, self.start);
+        let mut places = batch.spans.iter_mut();
+        let (mut from, mut to, mut y, mut stop) =
+            (self.high, self.middle, self.start, self.turn);
+        if y >= stop {
+            (from, to, stop) = (self.middle, self.low, self.end);
+        }
         loop {
-            while y < stop {
-                let first = left.column().wrapping_add(origin);
-                let last = right.column().wrapping_add(origin);
-                left.step();
-                right.step();
-                let (from, to) = (first.max(area.left), last.min(area.right));
-                if from < to {
-                    if let Some(span) = batch.spans.get_mut(taken) {
-                        *span = Span { y, first, left: from, right: to };
-                        taken = taken.wrapping_add(1);
-                    }
-                }
-                y = y.wrapping_add(1);
-                // Keeps the compiler from unrolling: four copies of this cost more than they save.
-                core::hint::black_box(());
-            }
-            if stop >= end {
-                batch.length = taken;
-                return;
+            let short = edge(from, to, y);
+            let (mut left, mut right) = if self.turns_right { (long, short) } else { (short, long) };
+            take_rows(&mut left, &mut right, origin, y, stop, &mut places);
+            if stop >= self.end {
+                break;
             }
             // Over to the short side's second edge.
-            stop = end;
-            let second = edge(middle, low, y);
-            if long_is_right {
-                left = second;
-            } else {
-                right = second;
-            }
+            long = if self.turns_right { left } else { right };
+            (from, to, y, stop) = (self.middle, self.low, stop, self.end);
         }
+        batch.length = SpanBatch::CAPACITY.wrapping_sub(places.len());
     }
 
-    /// The walk over any other triangle.
+    /// Makes the walk over any other triangle.
     #[inline(never)]
-    fn walk(&self, area: Rect) -> Spans {
-        let Self { high, middle, low, long_is_right, start, turn, end } = *self;
-        let (short, turn) = if start < turn {
-            (EdgeWalk::new(high, middle, start), turn)
+    fn walk(&self, walk: &mut Spans) {
+        let Self { high, middle, low, turns_right, start, turn, end } = *self;
+        let long = EdgeWalk::new(high, low, start);
+        let short = if start < turn {
+            EdgeWalk::new(high, middle, start)
         } else {
-            (EdgeWalk::new(middle, low, start), end)
+            EdgeWalk::new(middle, low, start)
         };
-        Spans {
-            long: EdgeWalk::new(high, low, start),
-            short,
-            y: start,
-            turn,
-            end,
-            left: area.left,
-            right: area.right,
-            long_is_right,
-            middle: *middle,
-            low: *low,
-        }
+        (walk.left, walk.right) = if turns_right { (long, short) } else { (short, long) };
+        (walk.y, walk.end) = (start, end);
+        walk.turn = if start < turn { turn } else { end };
+        (walk.middle, walk.low, walk.turns_right) = (*middle, *low, turns_right);
     }
 }
 
-impl SpanWalk for Spans {
-    #[inline(never)]
+impl Spans {
+    /// Takes the spans of the next rows, in all columns.
+    #[inline(always)]
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_possible_wrap,
         reason = "at most the capacity of a batch"
     )]
-    fn next_spans(&mut self, batch: &mut SpanBatch) {
+    fn take(&mut self, batch: &mut SpanBatch) {
         batch.clear();
+        let mut places = batch.spans.iter_mut();
         loop {
-            // Rows down to the turn, or as many as fit.
-            let room = SpanBatch::CAPACITY.wrapping_sub(batch.length) as i32;
-            let end = self.turn.min(self.y.wrapping_add(room));
-            // Copies, which stay in registers where fields would be stored in every row.
-            let (mut long, mut short, mut y) = (self.long, self.short, self.y);
-            while y < end {
-                let (first, last) =
-                    if self.long_is_right { (short.x, long.x) } else { (long.x, short.x) };
-                let (left, right) = (first.max(self.left), last.min(self.right));
-                if left < right {
-                    batch.push(Span { y, first, left, right });
-                }
-                long.step();
-                short.step();
-                y = y.wrapping_add(1);
-                core::hint::black_box(());
-            }
-            (self.long, self.short, self.y) = (long, short, y);
-            if self.y >= self.turn {
-                if self.turn >= self.end {
-                    return;
+            // Rows down to the turn, or as many as fit. Copies of the edges stay in registers.
+            let end = self.turn.min(self.y.wrapping_add(places.len() as i32));
+            let (mut left, mut right) = (self.left, self.right);
+            take_rows(&mut left, &mut right, 0, self.y, end, &mut places);
+            (self.left, self.right, self.y) = (left, right, end);
+            if end >= self.turn {
+                if end >= self.end {
+                    break;
                 }
                 // Over to the short side's second edge.
                 self.turn = self.end;
-                self.short = EdgeWalk::new(&self.middle, &self.low, self.y);
+                let second = EdgeWalk::new(&self.middle, &self.low, end);
+                if self.turns_right {
+                    self.right = second;
+                } else {
+                    self.left = second;
+                }
             }
-            if !batch.has_room() {
-                batch.more();
+            if places.len() == 0 {
+                batch.last = false;
+                break;
+            }
+        }
+        batch.length = SpanBatch::CAPACITY.wrapping_sub(places.len());
+    }
+}
+
+impl SpanWalk for Spans {
+    #[inline(never)]
+    fn next_spans(&mut self, batch: &mut SpanBatch) {
+        loop {
+            self.take(batch);
+            if let Some((left, right)) = self.columns {
+                batch.clip(left, right);
+            }
+            if !batch.is_empty() || batch.is_last() {
                 return;
             }
         }

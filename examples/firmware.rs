@@ -20,12 +20,12 @@ mod firmware {
     use crate::board::buffer::Buffer;
     use crate::board::{meter, say, semihost, stack};
     use crate::scenes::{hash, scenes, Model, Probe, Stage, CACHED, ROOM};
-    use microraster::{Rgb16, VertexCache};
+    use microraster::{Color, VertexCache};
 
     static COLOR: Buffer<[u32; ROOM]> = Buffer::new([0; ROOM]);
     static DEPTH: Buffer<[u16; ROOM]> = Buffer::new([0; ROOM]);
-    static CACHE: Buffer<VertexCache<Rgb16, CACHED>> =
-        Buffer::new(VertexCache::with_blank(Rgb16::new(0, 0, 0)));
+    static CACHE: Buffer<VertexCache<Color, CACHED>> =
+        Buffer::new(VertexCache::with_blank(Color::new(0, 0, 0)));
     /// Room for the mesh file, in words so that it is aligned.
     static MESH: Buffer<[u32; 32 * 1024]> = Buffer::new([0; 32 * 1024]);
     /// Room for the command line.

@@ -15,7 +15,7 @@ mod support;
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Camera, Flat, Frame, Indices, Mesh, Pass, Rgb, Rgb16, Rgba8888, ScreenPass, Size, Stats,
+    Camera, Color, Flat, Frame, Indices, Mesh, Pass, Rgb, Rgba8888, ScreenPass, Size, Stats,
 };
 use support::{covers, Random};
 
@@ -60,7 +60,7 @@ fn grid_triangles(random: &mut Random, columns: usize, points: usize) -> Vec<[us
 fn screen_mesh(
     points: &[ScreenVertex],
     triangles: &[[usize; 3]],
-) -> Vec<[(ScreenVertex, Rgb16); 3]> {
+) -> Vec<[(ScreenVertex, Color); 3]> {
     triangles.iter().map(|t| t.map(|i| (points[i], Rgb::WHITE.into()))).collect()
 }
 

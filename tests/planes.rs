@@ -10,14 +10,14 @@ mod support;
 
 use microraster::raster::{ScreenVertex, Triangle};
 use microraster::{
-    Always, Flat, Frame, Gouraud, Less, Rect, Rgb, Rgb16, Rgba8888, ScreenPass, Size,
+    Always, Color, Flat, Frame, Gouraud, Less, Rect, Rgb, Rgba8888, ScreenPass, Size,
 };
 use support::{any_corner, Random};
 
 const SIZE: Size = Size::new(24, 20);
 const PIXELS: usize = 24 * 20;
 
-type Shaded = (ScreenVertex, Rgb16);
+type Shaded = (ScreenVertex, Color);
 
 fn any_triangle(random: &mut Random, class: i32) -> [Shaded; 3] {
     [(); 3].map(|()| {
@@ -45,6 +45,11 @@ fn sliver(random: &mut Random) -> [Shaded; 3] {
     };
     let by = random.range(1, 12);
     [(a, p), (b, q), (near(&a, by, random), r)]
+}
+
+/// The channels that a corner was made of: whole steps of 8 bits.
+fn channels(color: Color) -> [u8; 3] {
+    [color.red(), color.green(), color.blue()]
 }
 
 fn draw(triangle: &[Shaded; 3], areas: &[Rect]) -> (Vec<u32>, Vec<u16>) {
@@ -94,8 +99,7 @@ fn depth_and_colour_are_the_exact_ones_within_the_stated_bounds() {
             assert!(off <= 0.5 + PLANE, "code {} for {code} at {x}, {y}: {triangle:?}", depth[i]);
             let [red, green, blue, _] = word.to_le_bytes();
             for (k, channel) in [red, green, blue].into_iter().enumerate() {
-                let value =
-                    exact(&triangle, |corner| f64::from(corner.1.channels()[k]) / 256.0, x, y);
+                let value = exact(&triangle, |corner| f64::from(channels(corner.1)[k]), x, y);
                 let off = (value - f64::from(channel)).abs();
                 most_color = most_color.max(off);
                 // Half a step of rounding, a quarter for stepping two channels in one word.

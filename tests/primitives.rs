@@ -13,14 +13,14 @@ mod support;
 use diamond::leaves_diamond;
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Always, Flat, Frame, Gouraud, Rect, Rgb, Rgb16, Rgba8888, ScreenPass, Size, Stats,
+    Always, Color, Flat, Frame, Gouraud, Rect, Rgb, Rgba8888, ScreenPass, Size, Stats,
 };
 use support::{any_corner, Random};
 
 const SIZE: Size = Size::new(20, 16);
 const PIXELS: usize = 20 * 16;
 
-type Shaded = (ScreenVertex, Rgb16);
+type Shaded = (ScreenVertex, Color);
 
 /// The pixels that a drawing changes in a black picture.
 fn drawn(draw: impl FnOnce(&mut Frame<'_, Rgba8888>)) -> Vec<(i32, i32)> {

@@ -12,7 +12,7 @@ mod support;
 use microraster::raster::{
     AnyTraversal, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
 };
-use microraster::{Frame, Gouraud, Less, Rect, Rgb, Rgb16, Rgb565, ScreenPass, Size};
+use microraster::{Color, Frame, Gouraud, Less, Rect, Rgb, Rgb565, ScreenPass, Size};
 use support::{any_corner, Random};
 
 const PICTURE: Size = Size::new(32, 24);
@@ -59,7 +59,7 @@ fn all_traversals_draw_the_same_colours_and_depths() {
                 let at = any_corner(&mut random, i % 10, PICTURE);
                 let z = random.range(0, 65_535) as u16;
                 let color = Rgb::new(random.next() as u8, random.next() as u8, random.next() as u8);
-                (ScreenVertex::new(at.x, at.y, z), Rgb16::from(color))
+                (ScreenVertex::new(at.x, at.y, z), Color::from(color))
             });
             ScreenPass::new().depth(Less).traversal(traversal).triangle(
                 &mut frame,

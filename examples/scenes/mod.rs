@@ -10,7 +10,7 @@ pub(crate) mod model;
 pub(crate) mod standard;
 pub(crate) mod toon;
 
-use microraster::{Rgb16, VertexCache};
+use microraster::{Color, VertexCache};
 pub(crate) use model::Model;
 
 /// Words of colour and of depth that every [`Stage`] holds.
@@ -27,7 +27,7 @@ pub(crate) struct Stage<'a> {
     /// At least [`ROOM`] depths.
     pub(crate) depth: &'a mut [u16],
     /// Where shared vertices are kept: enough for every vertex of the bunny.
-    pub(crate) cache: &'a mut VertexCache<Rgb16, CACHED>,
+    pub(crate) cache: &'a mut VertexCache<Color, CACHED>,
     /// The bunny, whose licence keeps it out of this repository; `None` where it is missing.
     pub(crate) bunny: Option<Model<'a>>,
 }

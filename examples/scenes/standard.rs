@@ -210,7 +210,7 @@ impl Turning<'_> {
     where
         P: Probe,
         S: Shader<Vertex = Normal>,
-        S::Varying: microraster::Varying<Corner = microraster::Rgb16>,
+        S::Varying: microraster::Varying<Corner = microraster::Color>,
     {
         let Stage { color, depth, cache, .. } = stage;
         if let Ok(mut frame) = frame(color, depth) {

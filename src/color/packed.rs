@@ -67,6 +67,13 @@ pub(crate) const fn rounded(channel: u16) -> u16 {
     channel.wrapping_add(HALF)
 }
 
+impl Default for Color {
+    /// Black.
+    fn default() -> Self {
+        Self::new(0, 0, 0)
+    }
+}
+
 impl From<Rgb> for Color {
     #[inline(always)]
     fn from(rgb: Rgb) -> Self {

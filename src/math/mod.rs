@@ -48,4 +48,6 @@ pub use sqrt::sqrt;
 pub use vec2::Vec2;
 pub use vec3::Vec3;
 pub use vec4::Vec4;
-pub(crate) use wide::{mul_high_31, mul_high_signed, weighted_sum, wide_product, BY_HALVES};
+pub(crate) use wide::{
+    mul_high_31, mul_high_signed, weight, weighted_sum, wide_product, BY_HALVES,
+};

@@ -81,7 +81,19 @@ pub(crate) const fn wide_product(a: i32, b: u32) -> i64 {
     }
 }
 
-/// The same as [`weighted_sum`] for the halves of the weights.
+/// A weight as [`weighted_sum`] takes it.
+///
+/// Where products are long, one bit higher: their upper words are then the sum, with no shift.
+#[inline(always)]
+pub(crate) const fn weight(w: i32) -> i32 {
+    if BY_HALVES {
+        w
+    } else {
+        w.wrapping_shl(1)
+    }
+}
+
+/// The same as [`weighted_sum`] for the halves of plain weights.
 #[inline(always)]
 const fn weighted_sum_by_halves(a: i32, p: i32, b: i32, q: i32) -> i32 {
     const LOW: i32 = (1 << 14) - 1;
@@ -92,15 +104,17 @@ const fn weighted_sum_by_halves(a: i32, p: i32, b: i32, q: i32) -> i32 {
 
 /// (a p + b q) / 2^16, rounded down.
 ///
-/// `a` and `b` must be below 2^16 in magnitude, `p` and `q` at most 2^27.
+/// `a` and `b` must be below 2^16 in magnitude, p and q at most 2^27; `p` and `q` come from
+/// [`weight`].
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation, reason = "below 2^28 in magnitude")]
 pub(crate) const fn weighted_sum(a: i32, p: i32, b: i32, q: i32) -> i32 {
     if BY_HALVES {
         weighted_sum_by_halves(a, p, b, q)
     } else {
-        ((a as i64).wrapping_mul(p as i64).wrapping_add((b as i64).wrapping_mul(q as i64)) >> 16)
-            as i32
+        // 2^15 and the weight's 2 make 2^16: what is left is the upper word.
+        let (a, b) = (a.wrapping_shl(15) as i64, b.wrapping_shl(15) as i64);
+        (a.wrapping_mul(p as i64).wrapping_add(b.wrapping_mul(q as i64)) >> 32) as i32
     }
 }
 
@@ -117,7 +131,8 @@ mod tests {
                 let exact = (i64::from(a) * i64::from(p) + i64::from(b) * i64::from(q)) >> 16;
                 let sum = weighted_sum_by_halves(a, p, b, q);
                 assert_eq!(i64::from(sum), exact, "{a} x {p} + {b} x {q}");
-                assert_eq!(weighted_sum(a, p, b, q), sum, "{a} x {p} + {b} x {q}");
+                let sum = weighted_sum(a, weight(p), b, weight(q));
+                assert_eq!(i64::from(sum), exact, "{a} x {p} + {b} x {q}");
             }
         }
     }

@@ -34,7 +34,7 @@ impl Positions for MeshPositions<'_> {
 pub(super) struct Face {
     /// Its number in the mesh.
     pub(super) number: u32,
-    /// Its vertices' numbers, in the mesh's order.
+    /// Its vertices' numbers: in the triangle's order, a piece's in the mesh's.
     pub(super) vertices: [u32; 3],
     /// On the screen, oriented.
     pub(super) triangle: Triangle,
@@ -175,13 +175,15 @@ impl Assembly<'_> {
                 counter.event(Event::Culled);
                 continue;
             }
-            let [a, b, c] = [mapping.place(&a), mapping.place(&b), mapping.place(&c)];
             face.number = number;
-            face.vertices = vertices;
-            face.triangle = if area > 0 {
-                Triangle { v: [a, b, c], area, flipped: false }
-            } else {
-                Triangle { v: [a, c, b], area: area.wrapping_neg(), flipped: true }
+            let [i, j, k] = vertices;
+            let (v, numbers) =
+                if area > 0 { ([a, b, c], [i, j, k]) } else { ([a, c, b], [i, k, j]) };
+            face.vertices = numbers;
+            face.triangle = Triangle {
+                v: v.map(|vertex| mapping.place(&vertex)),
+                area: area.wrapping_abs(),
+                flipped: area < 0,
             };
             return true;
         }

@@ -14,7 +14,7 @@ const SHADED: u32 = 1 << 31;
 /// use microraster::{Corner, SmoothColor, VertexCache};
 ///
 /// let cache = VertexCache::<Corner<SmoothColor>, 64>::new();
-/// assert_eq!(core::mem::size_of_val(&cache), 64 * (4 + 8 + 6));
+/// assert_eq!(core::mem::size_of_val(&cache), 64 * (4 + 8 + 8));
 /// ```
 #[derive(Clone, Debug)]
 pub struct VertexCache<C, const N: usize> {

@@ -273,18 +273,14 @@ impl<H: Shader> Draw<'_, H> {
                 face.covered = true;
                 let [a, b, c] = corners;
                 corners = assembly.fan.weights().map(|(u, v)| H::Varying::mix([&a, &b, &c], u, v));
+                if face.triangle.flipped {
+                    corners.swap(1, 2);
+                }
             } else {
                 state.parts().1.event(Event::Drawn);
             }
-            let [a, b, c] = &corners;
-            let ordered = if face.triangle.flipped { [a, c, b] } else { [a, b, c] };
-            Fill { triangle: &face.triangle, corners: ordered, provoking: &provoking }.draw(
-                frame,
-                state,
-                self.shader,
-                &mut walk,
-                &mut batch,
-            );
+            Fill { triangle: &face.triangle, corners: corners.each_ref(), provoking: &provoking }
+                .draw(frame, state, self.shader, &mut walk, &mut batch);
         }
     }
 

@@ -1,66 +1,47 @@
 use super::{Plane, Triangle};
-use crate::math::{mul_high_signed, reciprocal, weighted_sum};
+use crate::math::{mul_high_signed, reciprocal, weight, weighted_sum};
 
 /// What the attribute planes of one triangle share: its sides and the reciprocal of its area.
 ///
 /// # Rounding
 /// On triangles that are neither large nor thin (sides below 1024 pixels, and twice the area at
 /// least 1/32 of the longest side's square) a slope is the sum of two differences, each times its
-/// weight of 27 bits: over the whole triangle an attribute is off by less than 1/8 of a step. On
-/// all others slopes come from the exact determinant, rounded to 2^-16 of a step, in 64 bits that
-/// are cut off, never clamped: see [`Plane`]. The reciprocal's error (2^-27.9) is common to both
-/// slopes, so that it only scales the difference to the first corner.
+/// weight of up to 27 bits: over the whole triangle an attribute is off by less than 1/8 of a
+/// step. On all others slopes come from the exact determinant, rounded to 2^-16 of a step, in 64
+/// bits that are cut off, never clamped: see [`Plane`]. The reciprocal's error (2^-29.4) is common
+/// to both slopes, so that it only scales the difference to the first corner.
 ///
 /// # Cost
-/// About 110 instructions to make and 40 a plane on Cortex-M4, 300 a plane of large or thin
+/// About 80 instructions to make and 30 a plane on Cortex-M4, 300 a plane of large or thin
 /// triangles.
 #[derive(Clone, Copy, Debug)]
 pub struct Gradients {
-    steps: Steps,
-    /// From the first corner to the centre of its pixel, in subpixels.
-    to_center_x: i32,
-    to_center_y: i32,
+    /// What a difference of 2^16 to the second and to the third corner makes in a column, in a row,
+    /// and from the first corner to the centre of its pixel, all up to a shift.
+    column: [i32; 2],
+    row: [i32; 2],
+    center: [i32; 2],
+    up: u32,
     /// The first corner's pixel.
     pixel_x: i32,
     pixel_y: i32,
+    /// Of a triangle that is too large or too thin for weights.
+    exact: Option<Exact>,
 }
 
-/// What slopes are made of.
+/// The sides, and 1 / (2 area) = mantissa 2^-(shift + 20), the 20 for 16 fraction bits and 16
+/// subpixels.
 #[derive(Clone, Copy, Debug)]
-enum Steps {
-    /// What a difference of 2^16 to the second and to the third corner makes in a column and in a
-    /// row, up to the shifts.
-    Weighted { by_column: [i32; 2], by_row: [i32; 2], pixel: Shifts, subpixel: Shifts },
-    /// The sides, and 1 / (2 area) = mantissa 2^-(shift + 20), the 20 for 16 fraction bits and 16
-    /// subpixels.
-    Exact { x1: i32, y1: i32, x2: i32, y2: i32, mantissa: u32, shift: u32 },
-}
-
-/// A shift by a number of either sign: one of the two is zero.
-#[derive(Clone, Copy, Debug, Default)]
-struct Shifts {
-    up: u32,
-    down: u32,
-}
-
-impl Shifts {
-    fn by(up: i32) -> Self {
-        Self { up: up.max(0) as u32, down: up.wrapping_neg().max(0) as u32 }
-    }
-
-    #[inline(always)]
-    const fn apply(self, v: i32) -> i32 {
-        v.wrapping_shl(self.up).wrapping_shr(self.down)
-    }
-}
-
-/// The slopes of an attribute, 16.16: a column's and a row's step, and a subpixel's.
-#[derive(Clone, Copy, Debug)]
-struct Slopes {
-    dx: i32,
-    dy: i32,
-    sub_x: i32,
-    sub_y: i32,
+struct Exact {
+    x1: i32,
+    y1: i32,
+    x2: i32,
+    y2: i32,
+    mantissa: u32,
+    shift: u32,
+    /// From the first corner to the centre of its pixel, in subpixels.
+    to_center_x: i32,
+    to_center_y: i32,
 }
 
 /// Sides up to here (1024 pixels, in subpixels) may have weights.
@@ -71,11 +52,13 @@ const THICK: u32 = 5;
 impl Gradients {
     /// Of no triangle: where nothing is interpolated.
     pub(crate) const NONE: Self = Self {
-        steps: Steps::Exact { x1: 0, y1: 0, x2: 0, y2: 0, mantissa: 0, shift: 0 },
-        to_center_x: 0,
-        to_center_y: 0,
+        column: [0; 2],
+        row: [0; 2],
+        center: [0; 2],
+        up: 0,
         pixel_x: 0,
         pixel_y: 0,
+        exact: None,
     };
 
     /// Prepares the planes of a triangle.
@@ -89,36 +72,44 @@ impl Gradients {
         let [a, b, c] = &triangle.v;
         let (x1, y1) = (b.x_bits().wrapping_sub(a.x_bits()), b.y_bits().wrapping_sub(a.y_bits()));
         let (x2, y2) = (c.x_bits().wrapping_sub(a.x_bits()), c.y_bits().wrapping_sub(a.y_bits()));
+        let to_center_x = 8_i32.wrapping_sub(a.x_bits() & 15);
+        let to_center_y = 8_i32.wrapping_sub(a.y_bits() & 15);
+        let (pixel_x, pixel_y) = (a.x_bits() >> 4, a.y_bits() >> 4);
         // At least the longest side, and less than twice as much.
         let longest = x1.unsigned_abs() | y1.unsigned_abs() | x2.unsigned_abs() | y2.unsigned_abs();
         let area = triangle.area as u32;
-        let steps = if longest < SHORT_SIDE && area >= longest.wrapping_mul(longest) >> THICK {
+        if longest < SHORT_SIDE && area >= longest.wrapping_mul(longest) >> THICK {
             let reciprocal = reciprocal(area);
-            // Sides below 2^28, so that the weights are below 2^27.
-            let room = longest.leading_zeros().wrapping_sub(4);
-            let weight = |side: i32| mul_high_signed(side.wrapping_shl(room), reciprocal.mantissa);
-            // side / area = weight 2^(32 - room - shift); sums lose 16 bits, slopes have 16 more
-            // and count pixels of 16 subpixels.
-            let up = 68_i32.wrapping_sub(room.wrapping_add(reciprocal.shift) as i32);
-            Steps::Weighted {
-                by_column: [weight(y2), weight(y1.wrapping_neg())],
-                by_row: [weight(x2.wrapping_neg()), weight(x1)],
-                pixel: Shifts::by(up),
-                subpixel: Shifts::by(up.wrapping_sub(4)),
+            // Sides below 2^28, so that weights are below 2^27; side / area is
+            // weight 2^(32 - room - shift). Sums lose 16 bits, slopes have 16 more and count
+            // pixels of 16 subpixels, which leaves a shift that is never to the right.
+            let scale = 68_u32.wrapping_sub(reciprocal.shift);
+            let room = longest.leading_zeros().wrapping_sub(4).min(scale);
+            let of = |side: i32| mul_high_signed(side.wrapping_shl(room), reciprocal.mantissa);
+            let column = [of(y2), of(y1.wrapping_neg())];
+            let row = [of(x2.wrapping_neg()), of(x1)];
+            // At most 8 subpixels each way: 2^27 x 8 + 2^27 x 8 is just in range.
+            let center = |c: i32, r: i32| {
+                c.wrapping_mul(to_center_x).wrapping_add(r.wrapping_mul(to_center_y)) >> 4
+            };
+            let center = [center(column[0], row[0]), center(column[1], row[1])];
+            Self {
+                column: column.map(weight),
+                row: row.map(weight),
+                center: center.map(weight),
+                up: scale.wrapping_sub(room) & 31,
+                pixel_x,
+                pixel_y,
+                exact: None,
             }
         } else {
             // Areas above 32 bits lose low bits that are far below the reciprocal's own error.
             let excess = 32_u32.saturating_sub(triangle.area.leading_zeros());
             let reciprocal = reciprocal((triangle.area >> excess) as u32);
             let shift = reciprocal.shift.wrapping_add(excess).wrapping_sub(20);
-            Steps::Exact { x1, y1, x2, y2, mantissa: reciprocal.mantissa, shift }
-        };
-        Self {
-            steps,
-            to_center_x: 8_i32.wrapping_sub(a.x_bits() & 15),
-            to_center_y: 8_i32.wrapping_sub(a.y_bits() & 15),
-            pixel_x: a.x_bits() >> 4,
-            pixel_y: a.y_bits() >> 4,
+            let mantissa = reciprocal.mantissa;
+            let exact = Exact { x1, y1, x2, y2, mantissa, shift, to_center_x, to_center_y };
+            Self { pixel_x, pixel_y, exact: Some(exact), ..Self::NONE }
         }
     }
 
@@ -128,45 +119,50 @@ impl Gradients {
     /// Any three 16-bit values, whatever they count: depth codes, 8.8 channels.
     #[inline(always)]
     pub fn plane(&self, a: u16, b: u16, c: u16) -> Plane {
-        let d1 = i32::from(b).wrapping_sub(i32::from(a));
-        let d2 = i32::from(c).wrapping_sub(i32::from(a));
-        let Slopes { dx, dy, sub_x, sub_y } = match &self.steps {
-            Steps::Weighted { by_column, by_row, pixel, subpixel } => {
-                let sum = |[p, q]: &[i32; 2]| weighted_sum(d1, *p, d2, *q);
-                let (x, y) = (sum(by_column), sum(by_row));
-                Slopes {
-                    dx: pixel.apply(x),
-                    dy: pixel.apply(y),
-                    sub_x: subpixel.apply(x),
-                    sub_y: subpixel.apply(y),
-                }
-            }
-            Steps::Exact { x1, y1, x2, y2, mantissa, shift } => {
-                exact_slopes([*x1, *y1, *x2, *y2], d1, d2, *mantissa, *shift)
-            }
+        let from = i32::from(a);
+        self.plane_from(
+            u32::from(a) << 16,
+            i32::from(b).wrapping_sub(from),
+            i32::from(c).wrapping_sub(from),
+        )
+    }
+
+    /// The plane that has the value `first` (16.16) at the first corner, and so much more at the
+    /// second and at the third (below 2^16 in magnitude).
+    #[inline(never)]
+    pub(crate) fn plane_from(&self, first: u32, d1: i32, d2: i32) -> Plane {
+        let (dx, dy, to_center) = if let Some(exact) = &self.exact {
+            exact.slopes(d1, d2)
+        } else {
+            let sum = |[p, q]: [i32; 2]| weighted_sum(d1, p, d2, q).wrapping_shl(self.up);
+            (sum(self.column), sum(self.row), sum(self.center))
         };
-        let origin = (i32::from(a) << 16)
-            .wrapping_add(sub_x.wrapping_mul(self.to_center_x))
-            .wrapping_add(sub_y.wrapping_mul(self.to_center_y))
-            .wrapping_sub(dx.wrapping_mul(self.pixel_x))
-            .wrapping_sub(dy.wrapping_mul(self.pixel_y));
-        Plane { origin: origin as u32, dx: dx as u32, dy: dy as u32 }
+        let origin = first
+            .wrapping_add(to_center as u32)
+            .wrapping_sub(dx.wrapping_mul(self.pixel_x) as u32)
+            .wrapping_sub(dy.wrapping_mul(self.pixel_y) as u32);
+        Plane { origin, dx: dx as u32, dy: dy as u32 }
     }
 }
 
-/// From the exact determinant: apart, because it is rare and long.
-#[cold]
-#[inline(never)]
-fn exact_slopes([x1, y1, x2, y2]: [i32; 4], d1: i32, d2: i32, mantissa: u32, shift: u32) -> Slopes {
-    let slopes = |p: i32, q: i32, r: i32, s: i32| {
-        let (p, q, r, s) = (i64::from(p), i64::from(q), i64::from(r), i64::from(s));
-        let numerator = p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-        let scaled = |shift| scaled_wide(numerator, mantissa, shift);
-        (scaled(shift), scaled(shift.wrapping_add(4)))
-    };
-    let (dx, sub_x) = slopes(d1, y2, d2, y1);
-    let (dy, sub_y) = slopes(d2, x1, d1, x2);
-    Slopes { dx, dy, sub_x, sub_y }
+impl Exact {
+    /// From the exact determinant: a column's step, a row's, and that to the centre of the first
+    /// corner's pixel. Apart, because it is rare and long.
+    #[cold]
+    #[inline(never)]
+    fn slopes(&self, d1: i32, d2: i32) -> (i32, i32, i32) {
+        let slopes = |p: i32, q: i32, r: i32, s: i32| {
+            let (p, q, r, s) = (i64::from(p), i64::from(q), i64::from(r), i64::from(s));
+            let numerator = p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
+            let scaled = |shift| scaled_wide(numerator, self.mantissa, shift);
+            (scaled(self.shift), scaled(self.shift.wrapping_add(4)))
+        };
+        let (dx, sub_x) = slopes(d1, self.y2, d2, self.y1);
+        let (dy, sub_y) = slopes(d2, self.x1, d1, self.x2);
+        let to_center =
+            sub_x.wrapping_mul(self.to_center_x).wrapping_add(sub_y.wrapping_mul(self.to_center_y));
+        (dx, dy, to_center)
+    }
 }
 
 /// The low 32 bits of numerator x mantissa / 2^shift, rounded, for numerators of up to 36 bits.

@@ -154,14 +154,14 @@ impl Descent<'_> {
         let edge = |a, b, y| ShortEdge::new(a, b, y, origin);
         let mut long = edge(self.high, self.low, self.start);
         let mut places = batch.spans.iter_mut();
-        let (mut from, mut to, mut y, mut stop) =
-            (self.high, self.middle, self.start, self.turn);
+        let (mut from, mut to, mut y, mut stop) = (self.high, self.middle, self.start, self.turn);
         if y >= stop {
             (from, to, stop) = (self.middle, self.low, self.end);
         }
         loop {
             let short = edge(from, to, y);
-            let (mut left, mut right) = if self.turns_right { (long, short) } else { (short, long) };
+            let (mut left, mut right) =
+                if self.turns_right { (long, short) } else { (short, long) };
             take_rows(&mut left, &mut right, origin, y, stop, &mut places);
             if stop >= self.end {
                 break;

@@ -51,7 +51,7 @@ impl<C: Coloring> Shader for Flat<C> {
 
     #[inline(always)]
     fn vertex(&self, prepared: &C::Prepared, vertex: &C::Vertex) -> Corner<FlatColor> {
-        self.0.color(prepared, vertex)
+        self.0.color(prepared, vertex).into()
     }
 
     #[inline(always)]

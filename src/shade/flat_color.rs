@@ -1,6 +1,6 @@
 use super::varying::mix_word;
 use super::Varying;
-use crate::color::{Color, Rgb16};
+use crate::color::{rounded, Color, Rgb16};
 use crate::raster::Gradients;
 
 /// One colour for the whole triangle: the provoking corner's (the first one).
@@ -16,7 +16,7 @@ impl FlatColor {
 }
 
 impl Varying for FlatColor {
-    type Corner = Rgb16;
+    type Corner = Color;
     type Planes = Color;
     type Step = ();
 
@@ -24,8 +24,8 @@ impl Varying for FlatColor {
     const PIECE: i32 = 0;
 
     #[inline(always)]
-    fn planes(_: &Gradients, _: [&Rgb16; 3], provoking: &Rgb16) -> Color {
-        Color::from_rgb16(*provoking)
+    fn planes(_: &Gradients, _: [&Color; 3], provoking: &Color) -> Color {
+        *provoking
     }
 
     #[inline(always)]
@@ -40,18 +40,19 @@ impl Varying for FlatColor {
     fn advance(&mut self, (): &(), _pixels: i32) {}
 
     #[inline(always)]
-    fn mix(corners: [&Rgb16; 3], u: i32, v: i32) -> Rgb16 {
+    fn mix(corners: [&Color; 3], u: i32, v: i32) -> Color {
         mix_color(corners, u, v)
     }
 }
 
 /// Three channels mixed: one copy for all, as clipping is rare.
 #[inline(never)]
-#[allow(clippy::cast_possible_truncation, reason = "clamped to 16 bits")]
-pub(super) fn mix_color([a, b, c]: [&Rgb16; 3], u: i32, v: i32) -> Rgb16 {
-    let full = i32::from(Rgb16::FULL);
-    let channel = |of: fn(&Rgb16) -> u16| {
-        mix_word(of(a).into(), of(b).into(), of(c).into(), u, v).clamp(0, full) as u16
+pub(super) fn mix_color([a, b, c]: [&Color; 3], u: i32, v: i32) -> Color {
+    // The corners' channels lie half a step inside of their range, and so does what is between.
+    let channel = |of: fn(&Color) -> u32| {
+        let mixed = mix_word(of(a) as i32, of(b) as i32, of(c) as i32, u, v);
+        mixed.clamp(rounded(0).into(), rounded(Rgb16::FULL).into()) as u32
     };
-    Rgb16::new(channel(|c| c.r), channel(|c| c.g), channel(|c| c.b))
+    let (red, blue) = (channel(|c| c.blue_red & 0xFFFF), channel(|c| c.blue_red >> 16));
+    Color { blue_red: blue << 16 | red, green: channel(|c| c.green >> 16) << 16 }
 }

@@ -42,7 +42,7 @@ impl<C: Coloring> Shader for Gouraud<C> {
 
     #[inline(always)]
     fn vertex(&self, prepared: &C::Prepared, vertex: &C::Vertex) -> Corner<SmoothColor> {
-        self.0.color(prepared, vertex)
+        self.0.color(prepared, vertex).into()
     }
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 use super::flat_color::mix_color;
 use super::Varying;
-use crate::color::{rounded, Color, Rgb16};
+use crate::color::Color;
 use crate::raster::{Gradients, Plane};
 
 /// A colour interpolated over the triangle, linear on the screen (Gouraud).
@@ -47,7 +47,7 @@ const fn packed_slope(slope: u32) -> u32 {
 }
 
 impl Varying for SmoothColor {
-    type Corner = Rgb16;
+    type Corner = Color;
     type Planes = SmoothColorPlanes;
     type Step = (u32, u32);
 
@@ -55,7 +55,7 @@ impl Varying for SmoothColor {
     const PIECE: i32 = Self::PIXELS;
 
     #[inline(always)]
-    fn planes(gradients: &Gradients, [a, b, c]: [&Rgb16; 3], _: &Rgb16) -> SmoothColorPlanes {
+    fn planes(gradients: &Gradients, [a, b, c]: [&Color; 3], _: &Color) -> SmoothColorPlanes {
         smooth_planes(gradients, a, b, c)
     }
 
@@ -80,16 +80,21 @@ impl Varying for SmoothColor {
     }
 
     #[inline(always)]
-    fn mix(corners: [&Rgb16; 3], u: i32, v: i32) -> Rgb16 {
+    fn mix(corners: [&Color; 3], u: i32, v: i32) -> Color {
         mix_color(corners, u, v)
     }
 }
 
 /// One copy for every shader that interpolates a colour.
 #[inline(never)]
-fn smooth_planes(gradients: &Gradients, a: &Rgb16, b: &Rgb16, c: &Rgb16) -> SmoothColorPlanes {
-    let [red, green, blue] = [[a.r, b.r, c.r], [a.g, b.g, c.g], [a.b, b.b, c.b]]
-        .map(|[a, b, c]| gradients.plane(rounded(a), rounded(b), rounded(c)));
+fn smooth_planes(gradients: &Gradients, a: &Color, b: &Color, c: &Color) -> SmoothColorPlanes {
+    // The difference of a channel in 16 bits.
+    let low = |to: u32, from: u32| (to & 0xFFFF).wrapping_sub(from & 0xFFFF) as i32;
+    let high = |to: u32, from: u32| (to >> 16).wrapping_sub(from >> 16) as i32;
+    let (first, second, third) = (a.blue_red, b.blue_red, c.blue_red);
+    let red = gradients.plane_from(first << 16, low(second, first), low(third, first));
+    let blue = gradients.plane_from(first & 0xFFFF_0000, high(second, first), high(third, first));
+    let green = gradients.plane_from(a.green, high(b.green, a.green), high(c.green, a.green));
     let step = (packed_slope(blue.dx) << 16).wrapping_add(packed_slope(red.dx));
     SmoothColorPlanes { red, green, blue, step }
 }

@@ -21,18 +21,18 @@ use crate::scene::{Draw, Kind, Scene, Vertex};
 struct ClipShader;
 
 impl Shader for ClipShader {
-    type Vertex = (Clip, Rgb16);
+    type Vertex = (Clip, Color);
     type Varying = SmoothColor;
     type Prepared = ();
     const OWN_POSITIONS: bool = true;
 
     fn prepare(&self, _: &DrawContext) {}
 
-    fn position(&self, (): &(), (clip, _): &(Clip, Rgb16)) -> Option<Clip> {
+    fn position(&self, (): &(), (clip, _): &(Clip, Color)) -> Option<Clip> {
         Some(*clip)
     }
 
-    fn vertex(&self, (): &(), (_, color): &(Clip, Rgb16)) -> Rgb16 {
+    fn vertex(&self, (): &(), (_, color): &(Clip, Color)) -> Color {
         *color
     }
 
@@ -96,10 +96,10 @@ fn screen_code(depth: f32) -> u16 {
     ((1.0 - f64::from(depth)) * 65535.0).round() as u16
 }
 
-fn color_of([r, g, b, _]: [f32; 4]) -> Rgb16 {
+fn color_of([r, g, b, _]: [f32; 4]) -> Color {
     let full = f64::from(Rgb16::FULL);
     let channel = |v: f32| (f64::from(v).clamp(0.0, 1.0) * full).round() as u16;
-    Rgb16::new(channel(r), channel(g), channel(b))
+    Rgb16::new(channel(r), channel(g), channel(b)).into()
 }
 
 /// Draws one primitive; `false` if the crate skips it, being out of its range.
@@ -117,7 +117,7 @@ fn draw_primitive(
         Paint::Coverage => color_of([1.0; 4]),
         Paint::Number => {
             let [low, high, ..] = (number as u32 + 1).to_le_bytes();
-            Rgb16::new(u16::from(low) << 8, u16::from(high) << 8, 0)
+            Rgb16::new(u16::from(low) << 8, u16::from(high) << 8, 0).into()
         }
         Paint::Color if flat => color_of(corners[provoking].color),
         Paint::Color => color_of(v.color),

@@ -6,7 +6,7 @@ use bytemuck::Pod;
 use microraster::math::Vec3;
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Color, DepthBuffer, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light, Pass, Rgb, Rgb16,
+    Color, DepthBuffer, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light, Pass, Rgb,
     Rgb565, Rgb565Be, Rgba8888, ScreenPass, Shader, Size, Stats,
 };
 
@@ -139,7 +139,7 @@ fn screen<F: Format>(frame: &mut Frame<'_, F, DepthBuffer<'_>>, draw: &ScreenDra
     let shader = Gouraud::colored();
     let mut i = 0;
     while let Some(a) = corner(i) {
-        let a: (ScreenVertex, Rgb16) = a;
+        let a: (ScreenVertex, Color) = a;
         match (draw.kind, corner(i + 1), corner(i + 2)) {
             (Kind::Points(size), ..) => {
                 pass.points(frame, &shader, size, &[a]);

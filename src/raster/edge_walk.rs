@@ -1,4 +1,4 @@
-use super::ScreenVertex;
+use super::Point;
 
 /// Whether the core divides in hardware. ARMv6-M does not; it is the one Arm profile without
 /// compare-and-swap, by which it is told here.
@@ -36,13 +36,13 @@ impl EdgeWalk {
     /// All coordinates in the square of [`GUARD`](super::GUARD): the numerator stays below
     /// 2^30 + 2^22 in magnitude.
     #[inline(never)]
-    pub(crate) fn new(a: &ScreenVertex, b: &ScreenVertex, y: i32) -> Self {
-        let dx = b.x_bits().wrapping_sub(a.x_bits());
-        let dy = b.y_bits().wrapping_sub(a.y_bits());
+    pub(crate) fn new(a: Point, b: Point, y: i32) -> Self {
+        let dx = b.x.wrapping_sub(a.x);
+        let dy = b.y.wrapping_sub(a.y);
         debug_assert!(dy > 0, "an edge is walked downwards");
         // ceil((a.x + dx (y' - a.y) / dy - 8) / 16) with y' = 16 y + 8, split so that it fits.
-        let down = y.wrapping_mul(16).wrapping_add(8).wrapping_sub(a.y_bits());
-        let from = a.x_bits().wrapping_sub(8);
+        let down = y.wrapping_mul(16).wrapping_add(8).wrapping_sub(a.y);
+        let from = a.x.wrapping_sub(8);
         let part = (from & 15)
             .wrapping_mul(dy)
             .wrapping_add(dx.wrapping_mul(down & 15))

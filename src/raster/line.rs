@@ -1,4 +1,4 @@
-use super::{EdgeWalk, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
+use super::{EdgeWalk, Point, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
 
 /// A line one pixel wide, from a first corner to a last one, by the diamond-exit rule.
@@ -111,15 +111,15 @@ impl Line {
             let (minor, major) =
                 if *by_columns { (v.y_bits(), v.x_bits()) } else { (v.x_bits(), v.y_bits()) };
             let minor = if mirror { minor.wrapping_neg() } else { minor };
-            ScreenVertex::from_bits(minor.wrapping_sub(8), major, 0)
+            Point { x: minor.wrapping_sub(8), y: major }
         };
         // Columns: the line is moved to the left, so that one that falls to the right has its ties
         // on the larger side.
         let rise = (b.y_bits() > a.y_bits()) == (b.x_bits() > a.x_bits());
         let mirrored = *by_columns && rise && a.y_bits() != b.y_bits();
         let (a, b) = (upright(a, mirrored), upright(b, mirrored));
-        let (a, b) = if a.y_bits() < b.y_bits() { (a, b) } else { (b, a) };
-        let edge = if at < end { EdgeWalk::new(&a, &b, at) } else { EdgeWalk::default() };
+        let (a, b) = if a.y < b.y { (a, b) } else { (b, a) };
+        let edge = if at < end { EdgeWalk::new(a, b, at) } else { EdgeWalk::default() };
         LineWalk { edge, at, end, first: from, area, by_columns: *by_columns, mirrored }
     }
 }

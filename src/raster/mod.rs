@@ -32,6 +32,7 @@ pub(crate) use line::Line;
 pub(crate) use pieces::Pieces;
 pub use plane::Plane;
 pub(crate) use point::PointWalk;
+pub(crate) use screen_vertex::Point;
 pub use screen_vertex::{ScreenVertex, GUARD, SUBPIXELS};
 pub use spans::Spans;
 #[cfg(feature = "std")]

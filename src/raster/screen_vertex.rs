@@ -70,3 +70,18 @@ impl ScreenVertex {
         near(self.x_bits(), picture.width) && near(self.y_bits(), picture.height)
     }
 }
+
+/// Where a corner is, in subpixels.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Point {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+}
+
+impl Point {
+    /// The place of a corner.
+    #[inline(always)]
+    pub(crate) const fn of(vertex: &ScreenVertex) -> Self {
+        Self { x: vertex.x_bits(), y: vertex.y_bits() }
+    }
+}

@@ -1,4 +1,4 @@
-use super::ScreenVertex;
+use super::Point;
 use crate::math::{wide_product, BY_HALVES};
 
 /// An edge of a short triangle, walked by one addition a row: exact all the same.
@@ -58,12 +58,12 @@ impl ShortEdge {
     /// The walk down from `a` to `b` (`b` strictly below), beginning at row `y`, whose centre is
     /// between them; columns count from `origin`.
     #[inline(always)]
-    pub(super) fn new(a: &ScreenVertex, b: &ScreenVertex, y: i32, origin: i32) -> Self {
-        let dx = b.x_bits().wrapping_sub(a.x_bits());
-        let dy = b.y_bits().wrapping_sub(a.y_bits());
-        let down = y.wrapping_mul(16).wrapping_add(8).wrapping_sub(a.y_bits());
+    pub(super) fn new(a: Point, b: Point, y: i32, origin: i32) -> Self {
+        let dx = b.x.wrapping_sub(a.x);
+        let dy = b.y.wrapping_sub(a.y);
+        let down = y.wrapping_mul(16).wrapping_add(8).wrapping_sub(a.y);
         let step = slope(dx, dy);
-        let from = a.x_bits().wrapping_sub(8).wrapping_sub(origin.wrapping_mul(16));
+        let from = a.x.wrapping_sub(8).wrapping_sub(origin.wrapping_mul(16));
         // No more than dx in all, since `down` is no more than dy.
         let along = step.wrapping_mul(down) >> 4;
         Self { x: from.wrapping_mul(1 << 15).wrapping_add(along).wrapping_add(ROUND_UP), step }

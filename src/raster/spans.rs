@@ -1,5 +1,5 @@
 use super::short_edge::{ShortEdge, TALLEST, WIDEST};
-use super::{EdgeWalk, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
+use super::{EdgeWalk, Point, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
 
 /// A triangle walked row by row: each row's first and last covered pixel by an exact integer walk along
@@ -17,8 +17,8 @@ pub struct Spans {
     turn: i32,
     end: i32,
     /// The second edge of the short side, and whether it is the right one.
-    middle: ScreenVertex,
-    low: ScreenVertex,
+    middle: Point,
+    low: Point,
     turns_right: bool,
     /// The columns to draw, where the triangle reaches beyond them.
     columns: Option<(i32, i32)>,
@@ -90,10 +90,10 @@ fn take_rows<E: Edge>(
 
 /// A triangle's corners from its highest, and the rows between them that are drawn.
 #[derive(Clone, Copy, Debug)]
-struct Descent<'a> {
-    high: &'a ScreenVertex,
-    middle: &'a ScreenVertex,
-    low: &'a ScreenVertex,
+struct Descent {
+    high: Point,
+    middle: Point,
+    low: Point,
     /// Whether the side with the middle corner is the right one.
     turns_right: bool,
     start: i32,
@@ -108,49 +108,45 @@ impl Spans {
     pub fn start(&mut self, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
         batch.clear();
         // Clockwise from the highest corner: the next one is on its right side.
-        let [a, b, c] = &triangle.v;
-        let (mut high, mut right, mut left) = (a, b, c);
-        if b.y_bits() < a.y_bits() || c.y_bits() < a.y_bits() {
-            if b.y_bits() < c.y_bits() {
-                (high, right, left) = (b, c, a);
-            } else {
-                (high, right, left) = (c, a, b);
-            }
-        }
-        let turns_right = right.y_bits() < left.y_bits();
+        let [a, b, c] = triangle.v.each_ref().map(Point::of);
+        let (high, right, left) = if a.y <= b.y && a.y <= c.y {
+            (a, b, c)
+        } else if b.y <= c.y {
+            (b, c, a)
+        } else {
+            (c, a, b)
+        };
+        let turns_right = right.y < left.y;
         let (middle, low) = if turns_right { (right, left) } else { (left, right) };
         // Rows from the first centre at or below the top to the last above the bottom.
-        let start = first_center(high.y_bits()).max(area.top);
-        let end = first_center(low.y_bits()).min(area.bottom);
-        // The same for columns: a narrow triangle may pass between the centres.
-        let (x, y, z) = (a.x_bits(), b.x_bits(), c.x_bits());
-        let (least, most) = (x.min(y).min(z), x.max(y).max(z));
-        let (first, behind) = (first_center(least), first_center(most));
-        if start >= end || first.max(area.left) >= behind.min(area.right) {
+        let start = first_center(high.y).max(area.top);
+        let end = first_center(low.y).min(area.bottom);
+        if start >= end {
             return;
         }
-        let turn = first_center(middle.y_bits()).max(area.top).min(end);
-        let descent = Descent { high, middle, low, turns_right, start, turn, end };
-        let height = low.y_bits().wrapping_sub(high.y_bits());
-        let reaches_beyond = first < area.left || behind > area.right;
-        if height <= TALLEST && most.wrapping_sub(least) < WIDEST {
-            descent.take_short(batch);
+        let turn = first_center(middle.y).max(area.top).min(end);
+        let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
+        let reaches_beyond = first_center(least) < area.left || first_center(most) > area.right;
+        // Made where it is used, so that a short triangle's never goes through memory.
+        let descent = || Descent { high, middle, low, turns_right, start, turn, end };
+        if low.y.wrapping_sub(high.y) <= TALLEST && most.wrapping_sub(least) < WIDEST {
+            descent().take_short(batch);
             if reaches_beyond {
                 batch.clip(area.left, area.right);
             }
         } else {
-            descent.walk(self);
+            descent().walk(self);
             self.columns = reaches_beyond.then_some((area.left, area.right));
             self.next_spans(batch);
         }
     }
 }
 
-impl Descent<'_> {
+impl Descent {
     /// All spans of a short triangle.
     #[inline(always)]
     fn take_short(&self, batch: &mut SpanBatch) {
-        let origin = self.high.x_bits() >> 4;
+        let origin = self.high.x >> 4;
         let edge = |a, b, y| ShortEdge::new(a, b, y, origin);
         let mut long = edge(self.high, self.low, self.start);
         let mut places = batch.spans.iter_mut();
@@ -186,7 +182,7 @@ impl Descent<'_> {
         (walk.left, walk.right) = if turns_right { (long, short) } else { (short, long) };
         (walk.y, walk.end) = (start, end);
         walk.turn = if start < turn { turn } else { end };
-        (walk.middle, walk.low, walk.turns_right) = (*middle, *low, turns_right);
+        (walk.middle, walk.low, walk.turns_right) = (middle, low, turns_right);
     }
 }
 
@@ -213,7 +209,7 @@ impl Spans {
                 }
                 // Over to the short side's second edge.
                 self.turn = self.end;
-                let second = EdgeWalk::new(&self.middle, &self.low, end);
+                let second = EdgeWalk::new(self.middle, self.low, end);
                 if self.turns_right {
                     self.right = second;
                 } else {

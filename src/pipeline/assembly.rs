@@ -3,7 +3,7 @@ use super::clipper::{Fan, Polygon};
 use super::mapping::Mapping;
 use super::projected::{flag, Projected};
 use super::transform::Transform;
-use super::{Clip, Cull, Winding};
+use super::{Clip, CulledWindings};
 use crate::frame::Rect;
 use crate::raster::{area_of_sides, Triangle};
 use crate::scene::Indices;
@@ -58,14 +58,12 @@ impl Face {
 /// Goes through a mesh's triangles, leaves out what cannot be seen, clips, and hands out the rest.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Assembly<'a> {
-    pub(super) indices: Indices<'a>,
-    pub(super) triangles: u32,
+    pub(super) indices: Triples<'a>,
     pub(super) cursor: u32,
     pub(super) mapping: Mapping,
     /// What is drawn of the picture.
     pub(super) area: Rect,
-    pub(super) cull: Cull,
-    pub(super) front: Winding,
+    pub(super) culled: CulledWindings,
     /// The pieces of a clipped triangle.
     pub(super) fan: Fan,
 }
@@ -77,25 +75,39 @@ fn keep<P: Positions>(entry: &mut Entry, index: u32, positions: &P, mapping: &Ma
     entry.keep(index, vertex);
 }
 
-impl Assembly<'_> {
-    /// The vertices of a triangle.
-    #[inline(always)]
-    fn vertices(&self, number: u32) -> Option<[u32; 3]> {
-        let first = number.wrapping_mul(3);
-        let at = first as usize;
-        match self.indices {
-            Indices::Sequential => Some([first, first.wrapping_add(1), first.wrapping_add(2)]),
-            Indices::U8(indices) => {
-                let three = indices.get(at..at.wrapping_add(3))?.first_chunk::<3>()?;
-                Some(three.map(u32::from))
-            }
-            Indices::U16(indices) => {
-                let three = indices.get(at..at.wrapping_add(3))?.first_chunk::<3>()?;
-                Some(three.map(u32::from))
-            }
+/// A mesh's indices in threes.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Triples<'a> {
+    Sequential(u32),
+    U8(&'a [[u8; 3]]),
+    U16(&'a [[u16; 3]]),
+}
+
+impl<'a> Triples<'a> {
+    /// Those of so many triangles; what is left over makes none.
+    pub(super) fn new(indices: Indices<'a>, triangles: u32) -> Self {
+        match indices {
+            Indices::Sequential => Self::Sequential(triangles),
+            Indices::U8(indices) => Self::U8(indices.as_chunks().0),
+            Indices::U16(indices) => Self::U16(indices.as_chunks().0),
         }
     }
 
+    /// The vertices of a triangle; `None` behind the last.
+    #[inline(always)]
+    fn get(&self, number: u32) -> Option<[u32; 3]> {
+        match self {
+            Self::Sequential(triangles) => (number < *triangles).then(|| {
+                let first = number.wrapping_mul(3);
+                [first, first.wrapping_add(1), first.wrapping_add(2)]
+            }),
+            Self::U8(triples) => triples.get(number as usize).map(|three| three.map(u32::from)),
+            Self::U16(triples) => triples.get(number as usize).map(|three| three.map(u32::from)),
+        }
+    }
+}
+
+impl Assembly<'_> {
     /// The next triangle that may be seen; whether there is one.
     ///
     /// # Cost
@@ -115,14 +127,10 @@ impl Assembly<'_> {
             counter.event(if face.covered { Event::Drawn } else { Event::Outside });
             face.clipped = false;
         }
-        while self.cursor < self.triangles {
+        while let Some(vertices) = self.indices.get(self.cursor) {
             let number = self.cursor;
             self.cursor = number.wrapping_add(1);
             counter.event(Event::Triangle);
-            let Some(vertices) = self.vertices(number) else {
-                counter.event(Event::Skipped);
-                continue;
-            };
             let mapping = &self.mapping;
             let [a, b, c] = vertices.map(|index| {
                 let Some(entry) = cache.get_mut(slot(index, cache.len())) else {
@@ -171,7 +179,7 @@ impl Assembly<'_> {
                 counter.event(Event::Degenerate);
                 continue;
             }
-            if self.cull.drops(area, self.front) {
+            if self.culled.contain(area) {
                 counter.event(Event::Culled);
                 continue;
             }
@@ -205,7 +213,7 @@ impl Assembly<'_> {
             Event::Outside
         } else if self.fan.area == 0 {
             Event::Degenerate
-        } else if self.cull.drops(self.fan.area, self.front) {
+        } else if self.culled.contain(self.fan.area) {
             Event::Culled
         } else {
             Event::Clipped

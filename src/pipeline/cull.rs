@@ -20,16 +20,36 @@ pub enum Winding {
     Clockwise,
 }
 
-impl Cull {
+/// Which triangles are left out by the way that their corners run on the screen: [`Cull`] and
+/// [`Winding`] together, asked once a draw.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CulledWindings {
+    clockwise: bool,
+    counter_clockwise: bool,
+}
+
+impl CulledWindings {
+    /// What a pass leaves out.
+    pub(super) fn new(cull: Cull, front: Winding) -> Self {
+        let drops = |winding| match cull {
+            Cull::None => false,
+            Cull::Back => winding != front,
+            Cull::Front => winding == front,
+        };
+        Self {
+            clockwise: drops(Winding::Clockwise),
+            counter_clockwise: drops(Winding::CounterClockwise),
+        }
+    }
+
     /// Whether a triangle with this sign of its area is left out; positive areas run clockwise on
     /// the screen.
     #[inline(always)]
-    pub(crate) fn drops(self, area: i64, front: Winding) -> bool {
-        let shows_front = (area < 0) == (front == Winding::CounterClockwise);
-        match self {
-            Self::None => false,
-            Self::Back => !shows_front,
-            Self::Front => shows_front,
+    pub(super) const fn contain(self, area: i64) -> bool {
+        if area < 0 {
+            self.counter_clockwise
+        } else {
+            self.clockwise
         }
     }
 }

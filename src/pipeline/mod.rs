@@ -18,6 +18,7 @@ mod transform;
 
 pub use cache::VertexCache;
 pub use clip::Clip;
+use cull::CulledWindings;
 pub use cull::{Cull, Winding};
 pub use pass::Pass;
 pub use screen_pass::{ScreenPass, ShadedVertex};

@@ -1,10 +1,10 @@
-use super::assembly::{Assembly, Face, MeshPositions, Positions};
+use super::assembly::{Assembly, Face, MeshPositions, Positions, Triples};
 use super::cache::CacheView;
 use super::clipper::Fan;
 use super::fill::{Access, Fill, Walk};
 use super::mapping::Mapping;
 use super::transform::Transform;
-use super::{Clip, Cull, VertexCache, Winding};
+use super::{Clip, Cull, CulledWindings, VertexCache, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies};
 use crate::math::{Mat4, Vec3};
@@ -159,13 +159,11 @@ impl<S: State> Pass<'_, S> {
             return;
         };
         let assembly = Assembly {
-            indices: mesh.indices,
-            triangles,
+            indices: Triples::new(mesh.indices, triangles),
             cursor: 0,
             mapping: Mapping::new(viewport, transform.depth),
             area: frame.scissor().intersection(viewport),
-            cull: self.cull,
-            front: self.front,
+            culled: CulledWindings::new(self.cull, self.front),
             fan: Fan::default(),
         };
         let draw = Draw { mesh, shader, prepared: &shader.prepare(&context) };

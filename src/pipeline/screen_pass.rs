@@ -1,5 +1,5 @@
 use super::fill::{Access, Fill, Walk};
-use super::{Cull, Winding};
+use super::{Cull, CulledWindings, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
 use crate::raster::{Line, PointWalk, ScreenVertex, SpanBatch, SpanWalk, Traversal, Triangle};
@@ -207,6 +207,7 @@ impl<S: State> ScreenPass<S> {
         D: Supplies<Access<S>>,
     {
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
+        let culled = CulledWindings::new(self.cull, self.front);
         for [(a, p), (b, q), (c, r)] in triangles {
             let (_, counter) = self.state.parts();
             counter.event(Event::Triangle);
@@ -220,8 +221,7 @@ impl<S: State> ScreenPass<S> {
                 counter.event(Event::Degenerate);
                 continue;
             };
-            let signed = if triangle.flipped { -1 } else { 1 };
-            if self.cull.drops(signed, self.front) {
+            if culled.contain(if triangle.flipped { -1 } else { 1 }) {
                 counter.event(Event::Culled);
                 continue;
             }

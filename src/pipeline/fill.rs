@@ -1,6 +1,6 @@
 use crate::color::Format;
 use crate::frame::{DepthAccess, Frame, Supplies};
-use crate::raster::{Gradients, Pieces, Plane, Span, SpanBatch, SpanWalk, Traversal, Triangle};
+use crate::raster::{Gradients, Plane, Span, SpanBatch, SpanWalk, Traversal, Triangle};
 use crate::shade::{Corner, DepthTest, Row, Shader, State, Varying};
 
 /// How a state touches depth.
@@ -63,27 +63,48 @@ impl<V: Varying> Fill<'_, V> {
             (true, false) => lone_depth_plane(self.triangle),
             (false, _) => Plane::default(),
         };
-        let planes = V::planes(&gradients, self.corners, self.provoking);
-        let is_long = V::PIECE != 0 && Pieces::are_needed(self.triangle, V::PIECE);
-        let mut pieces = is_long.then(Pieces::default);
+        let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
+        let mut planes = V::planes(&gradients, self.corners, self.provoking, in_pieces);
         loop {
-            let spans = match &mut pieces {
-                Some(pieces) => pieces.take(batch, V::PIECE),
-                None => batch.spans(),
+            let drawn = if in_pieces {
+                batch.spans().iter().try_for_each(|span| {
+                    pieces(span, V::PIECE).try_for_each(|piece| {
+                        V::settle(&mut planes, piece.first, piece.y);
+                        let ready = Ready { planes: &planes, z_plane: &z_plane };
+                        ready.draw::<H, S, F, D>(&[piece], frame, state, shader)
+                    })
+                })
+            } else {
+                let ready = Ready { planes: &planes, z_plane: &z_plane };
+                ready.draw::<H, S, F, D>(batch.spans(), frame, state, shader)
             };
-            let ready = Ready { planes: &planes, z_plane: &z_plane };
-            if ready.draw::<H, S, F, D>(spans, frame, state, shader).is_none() {
-                return;
-            }
-            if pieces.as_ref().is_some_and(|pieces| !pieces.is_last()) {
-                continue;
-            }
-            if batch.is_last() {
+            if drawn.is_none() || batch.is_last() {
                 return;
             }
             walk.next_spans(batch);
         }
     }
+}
+
+/// A span in pieces of `length` pixels from the row's first covered one, as far as they are drawn.
+fn pieces(span: &Span, length: i32) -> impl Iterator<Item = Span> {
+    let Span { y, first, left, right } = *span;
+    let mut from = first;
+    core::iter::from_fn(move || {
+        while from < right {
+            let (start, end) = (from, from.wrapping_add(length));
+            from = end;
+            if end > left {
+                return Some(Span {
+                    y,
+                    first: start,
+                    left: start.max(left),
+                    right: end.min(right),
+                });
+            }
+        }
+        None
+    })
 }
 
 /// A triangle's planes, ready for its spans.
@@ -111,13 +132,9 @@ impl<V: Varying> Ready<'_, V> {
         D: Supplies<Access<S>>,
     {
         let (depth, counter) = state.parts();
-        for &Span { y, first, left, right } in spans {
+        for &Span { y, left, right, .. } in spans {
             let (pixels, cells) = frame.row_with_depth::<Access<S>>(y, left, right)?;
-            let start = if V::PIECE == 0 { left } else { first };
-            let (mut varying, step) = V::start(self.planes, start, y);
-            if left != start {
-                varying.advance(&step, left.wrapping_sub(start));
-            }
+            let (varying, step) = V::start(self.planes, left, y);
             shader.span(Row::<S, F, V> {
                 pixels,
                 cells,

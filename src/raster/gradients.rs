@@ -25,6 +25,8 @@ pub struct Gradients {
     /// The first corner's pixel.
     pixel_x: i32,
     pixel_y: i32,
+    /// At least how far, in subpixels, the other corners are along either axis.
+    reach: u32,
     /// Of a triangle that is too large or too thin for weights.
     exact: Option<Exact>,
 }
@@ -58,6 +60,7 @@ impl Gradients {
         up: 0,
         pixel_x: 0,
         pixel_y: 0,
+        reach: 0,
         exact: None,
     };
 
@@ -100,6 +103,7 @@ impl Gradients {
                 up: scale.wrapping_sub(room) & 31,
                 pixel_x,
                 pixel_y,
+                reach: longest,
                 exact: None,
             }
         } else {
@@ -109,8 +113,14 @@ impl Gradients {
             let shift = reciprocal.shift.wrapping_add(excess).wrapping_sub(20);
             let mantissa = reciprocal.mantissa;
             let exact = Exact { x1, y1, x2, y2, mantissa, shift, to_center_x, to_center_y };
-            Self { pixel_x, pixel_y, exact: Some(exact), ..Self::NONE }
+            Self { pixel_x, pixel_y, reach: longest, exact: Some(exact), ..Self::NONE }
         }
+    }
+
+    /// Whether a corner may be as far as so many pixels from the first one, along either axis.
+    #[inline(always)]
+    pub(crate) const fn reach_beyond(&self, pixels: i32) -> bool {
+        self.reach >= pixels.unsigned_abs().wrapping_mul(16)
     }
 
     /// The plane through an attribute's values at the triangle's corners, as 16.16.
@@ -131,26 +141,48 @@ impl Gradients {
     /// second and at the third (below 2^16 in magnitude).
     #[inline(never)]
     pub(crate) fn plane_from(&self, first: u32, d1: i32, d2: i32) -> Plane {
-        let (dx, dy, to_center) = if let Some(exact) = &self.exact {
+        let Slopes { dx, dy, to_center } = self.slopes(d1, d2);
+        self.plane_at(first.wrapping_add(to_center as u32), dx as u32, dy as u32)
+    }
+
+    /// The plane with a value at the centre of the first corner's pixel, and slopes, of any format.
+    #[inline(always)]
+    pub(crate) fn plane_at(&self, value: u32, dx: u32, dy: u32) -> Plane {
+        let origin = value
+            .wrapping_sub(dx.wrapping_mul(self.pixel_x as u32))
+            .wrapping_sub(dy.wrapping_mul(self.pixel_y as u32));
+        Plane { origin, dx, dy }
+    }
+
+    /// The slopes (16.16) of an attribute that has so much more at the second and at the third
+    /// corner than at the first (below 2^16 in magnitude).
+    #[inline(always)]
+    pub(crate) fn slopes(&self, d1: i32, d2: i32) -> Slopes {
+        if let Some(exact) = &self.exact {
             exact.slopes(d1, d2)
         } else {
             let sum = |[p, q]: [i32; 2]| weighted_sum(d1, p, d2, q).wrapping_shl(self.up);
-            (sum(self.column), sum(self.row), sum(self.center))
-        };
-        let origin = first
-            .wrapping_add(to_center as u32)
-            .wrapping_sub(dx.wrapping_mul(self.pixel_x) as u32)
-            .wrapping_sub(dy.wrapping_mul(self.pixel_y) as u32);
-        Plane { origin, dx: dx as u32, dy: dy as u32 }
+            Slopes { dx: sum(self.column), dy: sum(self.row), to_center: sum(self.center) }
+        }
     }
 }
 
+/// The slopes of an attribute, 16.16, modulo 2^32.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slopes {
+    /// The step to the next column.
+    pub(crate) dx: i32,
+    /// The step to the next row.
+    pub(crate) dy: i32,
+    /// From the first corner to the centre of its pixel.
+    pub(crate) to_center: i32,
+}
+
 impl Exact {
-    /// From the exact determinant: a column's step, a row's, and that to the centre of the first
-    /// corner's pixel. Apart, because it is rare and long.
+    /// From the exact determinant. Apart, because it is rare and long.
     #[cold]
     #[inline(never)]
-    fn slopes(&self, d1: i32, d2: i32) -> (i32, i32, i32) {
+    fn slopes(&self, d1: i32, d2: i32) -> Slopes {
         let slopes = |p: i32, q: i32, r: i32, s: i32| {
             let (p, q, r, s) = (i64::from(p), i64::from(q), i64::from(r), i64::from(s));
             let numerator = p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
@@ -161,7 +193,7 @@ impl Exact {
         let (dy, sub_y) = slopes(d2, self.x1, d1, self.x2);
         let to_center =
             sub_x.wrapping_mul(self.to_center_x).wrapping_add(sub_y.wrapping_mul(self.to_center_y));
-        (dx, dy, to_center)
+        Slopes { dx, dy, to_center }
     }
 }
 

@@ -24,7 +24,7 @@ impl Varying for FlatColor {
     const PIECE: i32 = 0;
 
     #[inline(always)]
-    fn planes(_: &Gradients, _: [&Color; 3], provoking: &Color) -> Color {
+    fn planes(_: &Gradients, _: [&Color; 3], provoking: &Color, _: bool) -> Color {
         *provoking
     }
 
@@ -37,7 +37,7 @@ impl Varying for FlatColor {
     fn step(&mut self, (): &()) {}
 
     #[inline(always)]
-    fn advance(&mut self, (): &(), _pixels: i32) {}
+    fn settle(_: &mut Color, _x: i32, _y: i32) {}
 
     #[inline(always)]
     fn mix(corners: [&Color; 3], u: i32, v: i32) -> Color {

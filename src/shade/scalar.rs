@@ -23,7 +23,7 @@ impl Varying for Scalar {
     const PIECE: i32 = 0;
 
     #[inline(always)]
-    fn planes(gradients: &Gradients, [a, b, c]: [&u16; 3], _: &u16) -> Plane {
+    fn planes(gradients: &Gradients, [a, b, c]: [&u16; 3], _: &u16, _: bool) -> Plane {
         let mut plane = gradients.plane(*a, *b, *c);
         plane.origin = plane.origin.wrapping_add(0x8000);
         plane
@@ -40,9 +40,7 @@ impl Varying for Scalar {
     }
 
     #[inline(always)]
-    fn advance(&mut self, step: &u32, pixels: i32) {
-        self.0 = self.0.wrapping_add(step.wrapping_mul(pixels as u32));
-    }
+    fn settle(_: &mut Plane, _x: i32, _y: i32) {}
 
     #[inline(always)]
     fn mix([a, b, c]: [&u16; 3], u: i32, v: i32) -> u16 {

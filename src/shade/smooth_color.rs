@@ -1,30 +1,31 @@
 use super::flat_color::mix_color;
 use super::Varying;
 use crate::color::Color;
-use crate::raster::{Gradients, Plane};
+use crate::raster::{Gradients, Plane, Slopes};
 
 /// A colour interpolated over the triangle, linear on the screen (Gouraud).
 ///
 /// # Rounding
-/// Three planes of 8.24 are exact to 2^-12 of an 8-bit step. Within a piece of at most 128 pixels
-/// blue and red are stepped together in one word, as 8.8: each slope is off by at most half of
-/// 1/256, so that the packed channels stray by at most a quarter of an 8-bit step and, starting
-/// half a step inside of their range, never leave it.
+/// Green is a plane of 8.24, exact to 2^-12 of an 8-bit step. Blue and red share the words of one
+/// plane as 8.8: each slope is off by at most half of 1/256, so that over 128 pixels, down and
+/// across, they stray by at most a quarter of an 8-bit step and, starting half a step inside of
+/// their range, never leave it. Larger triangles have planes of 8.24 too, on which the shared one
+/// is settled for each piece of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SmoothColor(Color);
 
 /// The planes of a [`SmoothColor`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SmoothColorPlanes {
-    red: Plane,
+    /// Blue and red in 8.8, packed like [`Color::blue_red`].
+    blue_red: Plane,
     green: Plane,
-    blue: Plane,
-    /// Slopes of blue and red in 8.8, packed like [`Color::blue_red`].
-    step: u32,
+    /// Blue and red in 8.24, of large triangles.
+    fine: Option<[Plane; 2]>,
 }
 
 impl SmoothColor {
-    /// Pixels over which blue and red are stepped in one word.
+    /// Pixels over which blue and red are good in one word.
     const PIXELS: i32 = 128;
 
     /// The colour at this pixel.
@@ -34,16 +35,22 @@ impl SmoothColor {
     }
 }
 
-// Half a unit of slope over the steps of a piece, one unit where the start is cut off and one for
-// the planes' own error must stay below the half step (128 units) that the corners are raised by.
-const _: () = assert!((SmoothColor::PIXELS - 1) / 2 + 2 < 128, "packed channels stay in range");
+// Half a unit of slope over the steps of a piece, one unit where the start is cut off, one that a
+// neighbour may lend, and one for the planes' own error must stay below the half step (128 units)
+// that the corners are raised by.
+const _: () = assert!((SmoothColor::PIXELS - 1) / 2 + 3 < 128, "packed channels stay in range");
 
-/// A slope of 8.24 rounded to 8.8.
+/// Blue and red of 8.24, modulo 2^32, as 8.8 in one word.
 #[inline(always)]
-#[allow(clippy::cast_possible_wrap, reason = "slopes are modulo 2^32")]
-const fn packed_slope(slope: u32) -> u32 {
+const fn packed(blue: u32, red: u32) -> u32 {
     // Arithmetic: the borrow of a negative red goes into blue and comes back when it is added.
-    ((slope as i32).wrapping_add(0x8000) >> 16) as u32
+    (blue & 0xFFFF_0000).wrapping_add((red.cast_signed() >> 16).cast_unsigned())
+}
+
+/// The same of slopes, rounded to nearest.
+#[inline(always)]
+const fn packed_slope(blue: i32, red: i32) -> u32 {
+    packed(blue.wrapping_add(0x8000).cast_unsigned(), red.wrapping_add(0x8000).cast_unsigned())
 }
 
 impl Varying for SmoothColor {
@@ -55,15 +62,19 @@ impl Varying for SmoothColor {
     const PIECE: i32 = Self::PIXELS;
 
     #[inline(always)]
-    fn planes(gradients: &Gradients, [a, b, c]: [&Color; 3], _: &Color) -> SmoothColorPlanes {
-        smooth_planes(gradients, a, b, c)
+    fn planes(
+        gradients: &Gradients,
+        [a, b, c]: [&Color; 3],
+        _: &Color,
+        in_pieces: bool,
+    ) -> SmoothColorPlanes {
+        smooth_planes(gradients, a, b, c, in_pieces)
     }
 
     #[inline(always)]
     fn start(planes: &SmoothColorPlanes, x: i32, y: i32) -> (Self, (u32, u32)) {
-        let (red, blue) = (planes.red.at(x, y), planes.blue.at(x, y));
-        let blue_red = (blue & 0xFFFF_0000) | red >> 16;
-        (Self(Color { blue_red, green: planes.green.at(x, y) }), (planes.step, planes.green.dx))
+        let color = Color { blue_red: planes.blue_red.at(x, y), green: planes.green.at(x, y) };
+        (Self(color), (planes.blue_red.dx, planes.green.dx))
     }
 
     #[inline(always)]
@@ -72,11 +83,14 @@ impl Varying for SmoothColor {
         self.0.green = self.0.green.wrapping_add(*green);
     }
 
-    #[inline(always)]
-    fn advance(&mut self, (blue_red, green): &(u32, u32), pixels: i32) {
-        let pixels = pixels as u32;
-        self.0.blue_red = self.0.blue_red.wrapping_add(blue_red.wrapping_mul(pixels));
-        self.0.green = self.0.green.wrapping_add(green.wrapping_mul(pixels));
+    #[inline]
+    fn settle(planes: &mut SmoothColorPlanes, x: i32, y: i32) {
+        if let Some([blue, red]) = &planes.fine {
+            // In range at a covered pixel, so that nothing is lent.
+            let here = blue.at(x, y) & 0xFFFF_0000 | red.at(x, y) >> 16;
+            let drift = here.wrapping_sub(planes.blue_red.at(x, y));
+            planes.blue_red.origin = planes.blue_red.origin.wrapping_add(drift);
+        }
     }
 
     #[inline(always)]
@@ -87,14 +101,35 @@ impl Varying for SmoothColor {
 
 /// One copy for every shader that interpolates a colour.
 #[inline(never)]
-fn smooth_planes(gradients: &Gradients, a: &Color, b: &Color, c: &Color) -> SmoothColorPlanes {
+fn smooth_planes(
+    gradients: &Gradients,
+    a: &Color,
+    b: &Color,
+    c: &Color,
+    in_pieces: bool,
+) -> SmoothColorPlanes {
     // The difference of a channel in 16 bits.
-    let low = |to: u32, from: u32| (to & 0xFFFF).wrapping_sub(from & 0xFFFF) as i32;
-    let high = |to: u32, from: u32| (to >> 16).wrapping_sub(from >> 16) as i32;
+    let low = |to: u32, from: u32| (to & 0xFFFF).wrapping_sub(from & 0xFFFF).cast_signed();
+    let high = |to: u32, from: u32| (to >> 16).wrapping_sub(from >> 16).cast_signed();
     let (first, second, third) = (a.blue_red, b.blue_red, c.blue_red);
-    let red = gradients.plane_from(first << 16, low(second, first), low(third, first));
-    let blue = gradients.plane_from(first & 0xFFFF_0000, high(second, first), high(third, first));
-    let green = gradients.plane_from(a.green, high(b.green, a.green), high(c.green, a.green));
-    let step = (packed_slope(blue.dx) << 16).wrapping_add(packed_slope(red.dx));
-    SmoothColorPlanes { red, green, blue, step }
+    let blue = gradients.slopes(high(second, first), high(third, first));
+    let red = gradients.slopes(low(second, first), low(third, first));
+    let value = |first: u32, slopes: &Slopes| first.wrapping_add(slopes.to_center.cast_unsigned());
+    let blue_value = value(first & 0xFFFF_0000, &blue);
+    let red_value = value(first << 16, &red);
+    let fine = in_pieces.then(|| {
+        let plane = |value, slopes: &Slopes| {
+            gradients.plane_at(value, slopes.dx.cast_unsigned(), slopes.dy.cast_unsigned())
+        };
+        [plane(blue_value, &blue), plane(red_value, &red)]
+    });
+    SmoothColorPlanes {
+        blue_red: gradients.plane_at(
+            packed(blue_value, red_value),
+            packed_slope(blue.dx, red.dx),
+            packed_slope(blue.dy, red.dy),
+        ),
+        green: gradients.plane_from(a.green, high(b.green, a.green), high(c.green, a.green)),
+        fine,
+    }
 }

@@ -18,15 +18,19 @@ pub trait Varying: Copy {
     /// Whether planes are needed. Otherwise the provoking corner alone decides, and the other two
     /// are never made.
     const INTERPOLATED: bool;
-    /// Longest run of pixels that may be stepped, a power of two, or 0 for any: a longer span is
-    /// drawn in pieces of it, counted from the row's first covered pixel.
+    /// Longest run of pixels for which planes are good, across and down together, or 0 for any. Where
+    /// a triangle's corners are half as far from the first one along either axis, its rows are drawn
+    /// in pieces so long, counted from the row's first covered pixel, and planes are
+    /// [settled](Self::settle) on each.
     const PIECE: i32;
 
-    /// The planes of a triangle; `corners` in its own order, the provoking one apart.
+    /// The planes of a triangle; `corners` in its own order, the provoking one apart. `in_pieces`
+    /// says whether they will be [settled](Self::settle).
     fn planes(
         gradients: &Gradients,
         corners: [&Self::Corner; 3],
         provoking: &Self::Corner,
+        in_pieces: bool,
     ) -> Self::Planes;
 
     /// The value at pixel (x, y), and the step to its right neighbour.
@@ -35,8 +39,8 @@ pub trait Varying: Copy {
     /// Goes one pixel to the right.
     fn step(&mut self, step: &Self::Step);
 
-    /// Goes `pixels` to the right; as many calls of [`step`](Self::step) give the same.
-    fn advance(&mut self, step: &Self::Step, pixels: i32);
+    /// Makes planes good for the [`PIECE`](Self::PIECE) pixels of row `y` from `x` on.
+    fn settle(planes: &mut Self::Planes, x: i32, y: i32);
 
     /// The corner `a + (b - a) u + (c - a) v`, both weights in units of 2^-30: where clipping makes
     /// a new one. (0, 0), (2^30, 0) and (0, 2^30) give the three corners exactly.
@@ -61,7 +65,7 @@ impl Varying for () {
     const PIECE: i32 = 0;
 
     #[inline(always)]
-    fn planes(_: &Gradients, _: [&(); 3], (): &()) {}
+    fn planes(_: &Gradients, _: [&(); 3], (): &(), _in_pieces: bool) {}
 
     #[inline(always)]
     fn start((): &(), _x: i32, _y: i32) -> ((), ()) {
@@ -72,7 +76,7 @@ impl Varying for () {
     fn step(&mut self, (): &()) {}
 
     #[inline(always)]
-    fn advance(&mut self, (): &(), _pixels: i32) {}
+    fn settle((): &mut (), _x: i32, _y: i32) {}
 
     #[inline(always)]
     fn mix(_: [&(); 3], _u: i32, _v: i32) {}
@@ -100,10 +104,11 @@ impl<A: Varying, B: Varying> Varying for (A, B) {
         gradients: &Gradients,
         [a, b, c]: [&Self::Corner; 3],
         provoking: &Self::Corner,
+        in_pieces: bool,
     ) -> Self::Planes {
         (
-            A::planes(gradients, [&a.0, &b.0, &c.0], &provoking.0),
-            B::planes(gradients, [&a.1, &b.1, &c.1], &provoking.1),
+            A::planes(gradients, [&a.0, &b.0, &c.0], &provoking.0, in_pieces),
+            B::planes(gradients, [&a.1, &b.1, &c.1], &provoking.1, in_pieces),
         )
     }
 
@@ -121,9 +126,9 @@ impl<A: Varying, B: Varying> Varying for (A, B) {
     }
 
     #[inline(always)]
-    fn advance(&mut self, step: &Self::Step, pixels: i32) {
-        self.0.advance(&step.0, pixels);
-        self.1.advance(&step.1, pixels);
+    fn settle(planes: &mut Self::Planes, x: i32, y: i32) {
+        A::settle(&mut planes.0, x, y);
+        B::settle(&mut planes.1, x, y);
     }
 
     #[inline(always)]

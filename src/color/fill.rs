@@ -7,13 +7,17 @@ pub(crate) fn fill_words<T: bytemuck::Pod>(pixels: &mut [T], raw: T, word: u32) 
     for pixel in head {
         *pixel = raw;
     }
-    let (eights, rest) = words.as_chunks_mut::<8>();
-    for eight in eights {
-        *eight = [word; 8];
+    let mut chunks = words.chunks_exact_mut(16);
+    for chunk in &mut chunks {
+        for one in chunk {
+            *one = word;
+        }
+        // Sixteen stores are enough in a row: more would cost what leads up to them.
+        core::hint::black_box(());
     }
-    for one in rest {
+    for one in chunks.into_remainder() {
         *one = word;
-        // Keeps the short rest a loop: a call of memset costs more than seven stores.
+        // Keeps the short rest a loop: a call of memset costs more than its stores.
         core::hint::black_box(());
     }
     for pixel in tail {

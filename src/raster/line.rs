@@ -1,4 +1,4 @@
-use super::{EdgeWalk, Point, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
+use super::{LongEdge, Point, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
 
 /// A line one pixel wide, from a first corner to a last one, by the diamond-exit rule.
@@ -119,7 +119,7 @@ impl Line {
         let mirrored = *by_columns && rise && a.y_bits() != b.y_bits();
         let (a, b) = (upright(a, mirrored), upright(b, mirrored));
         let (a, b) = if a.y < b.y { (a, b) } else { (b, a) };
-        let edge = if at < end { EdgeWalk::new(a, b, at) } else { EdgeWalk::default() };
+        let edge = if at < end { LongEdge::new(a, b, at) } else { LongEdge::default() };
         LineWalk { edge, at, end, first: from, area, by_columns: *by_columns, mirrored }
     }
 }
@@ -127,7 +127,7 @@ impl Line {
 /// A line being walked.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineWalk {
-    edge: EdgeWalk,
+    edge: LongEdge,
     /// The next column (or row), and the one behind the last.
     at: i32,
     end: i32,
@@ -143,9 +143,9 @@ impl LineWalk {
     /// The row of the next column.
     fn row(&self) -> i32 {
         if self.mirrored {
-            !self.edge.x
+            !self.edge.column()
         } else {
-            self.edge.x
+            self.edge.column()
         }
     }
 
@@ -174,7 +174,7 @@ impl SpanWalk for LineWalk {
                     batch.push(Span { y, first: self.first, left: start, right: self.at });
                 }
             } else {
-                let (x, y) = (self.edge.x, self.at);
+                let (x, y) = (self.edge.column(), self.at);
                 self.step();
                 if left <= x && x < right {
                     batch.push(Span { y, first: x, left: x, right: x.wrapping_add(1) });

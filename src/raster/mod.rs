@@ -12,9 +12,9 @@
 //! the rule per row with exact integers; [`Gradients`] makes attribute planes.
 
 mod coverage;
-mod edge_walk;
 mod gradients;
 mod line;
+mod long_edge;
 mod plane;
 mod point;
 mod screen_vertex;
@@ -25,10 +25,10 @@ mod traversal;
 mod triangle;
 
 pub use coverage::{Scanline, Span, SpanBatch, SpanWalk, Traversal};
-pub(crate) use edge_walk::EdgeWalk;
 pub use gradients::Gradients;
 pub(crate) use gradients::Slopes;
 pub(crate) use line::Line;
+pub(crate) use long_edge::LongEdge;
 pub use plane::Plane;
 pub(crate) use point::PointWalk;
 pub(crate) use screen_vertex::Point;

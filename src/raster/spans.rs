@@ -1,5 +1,5 @@
 use super::short_edge::{ShortEdge, TALLEST, WIDEST};
-use super::{EdgeWalk, Point, Span, SpanBatch, SpanWalk, Triangle};
+use super::{LongEdge, Point, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
 
 /// A triangle walked row by row: each row's first and last covered pixel by an exact integer walk along
@@ -10,8 +10,8 @@ use crate::frame::Rect;
 /// generic, so that one copy serves every shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans {
-    left: EdgeWalk,
-    right: EdgeWalk,
+    left: LongEdge,
+    right: LongEdge,
     y: i32,
     /// The row at which the short side changes over to its second edge, or the end.
     turn: i32,
@@ -50,15 +50,15 @@ impl Edge for ShortEdge {
     }
 }
 
-impl Edge for EdgeWalk {
+impl Edge for LongEdge {
     #[inline(always)]
     fn column(&self, _origin: i32) -> i32 {
-        self.x
+        LongEdge::column(self)
     }
 
     #[inline(always)]
     fn step(&mut self) {
-        EdgeWalk::step(self);
+        LongEdge::step(self);
     }
 }
 
@@ -173,11 +173,11 @@ impl Descent {
     #[inline(never)]
     fn walk(&self, walk: &mut Spans) {
         let Self { high, middle, low, turns_right, start, turn, end } = *self;
-        let long = EdgeWalk::new(high, low, start);
+        let long = LongEdge::new(high, low, start);
         let short = if start < turn {
-            EdgeWalk::new(high, middle, start)
+            LongEdge::new(high, middle, start)
         } else {
-            EdgeWalk::new(middle, low, start)
+            LongEdge::new(middle, low, start)
         };
         (walk.left, walk.right) = if turns_right { (long, short) } else { (short, long) };
         (walk.y, walk.end) = (start, end);
@@ -209,7 +209,7 @@ impl Spans {
                 }
                 // Over to the short side's second edge.
                 self.turn = self.end;
-                let second = EdgeWalk::new(self.middle, self.low, end);
+                let second = LongEdge::new(self.middle, self.low, end);
                 if self.turns_right {
                     self.right = second;
                 } else {

@@ -1,4 +1,5 @@
 use super::Point;
+use crate::math::{mul_high_31, reciprocal, Reciprocal, BY_HALVES};
 
 /// An edge of a triangle of any size, walked by one addition of 64 bits a row: exact all the same.
 ///
@@ -31,20 +32,67 @@ const _: () = assert!(LONGEST <= (i64::MAX >> FRACTION) / 2, "products fit");
 const DIGIT: u32 = 12;
 const _: () = assert!(LONGEST << DIGIT < 1 << 32 && FRACTION % DIGIT == 0, "digits fit");
 
+/// Whether the core divides in hardware. ARMv6-M does not; there the reciprocal's table serves.
+const HAS_DIVIDE: bool = !BY_HALVES;
+
+/// A number above zero, by which others are divided.
+#[derive(Clone, Copy, Debug)]
+struct Divisor {
+    number: u32,
+    reciprocal: Reciprocal,
+}
+
+impl Divisor {
+    #[inline(always)]
+    fn new(number: u32) -> Self {
+        let reciprocal =
+            if HAS_DIVIDE { Reciprocal { mantissa: 0, shift: 0 } } else { reciprocal(number) };
+        Self { number: number.max(1), reciprocal }
+    }
+
+    /// Quotient and rest of a number below 2^29.
+    #[inline(always)]
+    fn divide(&self, dividend: u32) -> (u32, u32) {
+        if HAS_DIVIDE {
+            let quotient = dividend / self.number;
+            return (quotient, dividend.wrapping_sub(quotient.wrapping_mul(self.number)));
+        }
+        by_reciprocal(dividend, self.number, self.reciprocal)
+    }
+}
+
+/// Quotient and rest of a number below 2^29 by one whose reciprocal is known.
+#[inline(always)]
+fn by_reciprocal(dividend: u32, number: u32, by: Reciprocal) -> (u32, u32) {
+    // Three bits more in the dividend, so that a reciprocal that is 2^-29.4 off and a cut are
+    // off by less than one together.
+    let quotient = mul_high_31(dividend << 3, by.mantissa) >> (by.shift.wrapping_sub(29) & 31);
+    let rest = dividend.wrapping_sub(quotient.wrapping_mul(number));
+    if rest >= number {
+        // One too few leaves too much; one too many leaves less than nothing.
+        return if rest.cast_signed() < 0 {
+            (quotient.wrapping_sub(1), rest.wrapping_add(number))
+        } else {
+            (quotient.wrapping_add(1), rest.wrapping_sub(number))
+        };
+    }
+    (quotient, rest)
+}
+
 /// dx / dy with 36 fraction bits, rounded down; `dy` above zero.
-#[allow(clippy::cast_possible_wrap, reason = "below 2^17 in magnitude")]
 fn slope(dx: i32, dy: i32) -> i64 {
-    let divisor = (dy as u32).max(1);
-    // Magnitudes are divided: the rest of a negative one is taken from the whole below.
-    let whole =
-        if dx < 0 { !(!(dx) as u32 / divisor) as i32 } else { (dx as u32 / divisor) as i32 };
-    let mut rest = dx.wrapping_sub(whole.wrapping_mul(dy)) as u32;
-    let mut quotient = i64::from(whole);
+    let divisor = Divisor::new(dy.cast_unsigned());
+    // What is negative is divided as the number of which it is the complement: -n - 1 for n.
+    let sign = dx >> 31;
+    let (whole, rest) = divisor.divide((dx ^ sign).cast_unsigned());
+    let mut quotient = i64::from(whole.cast_signed() ^ sign);
+    let mut rest = if sign == 0 { rest } else { !rest.wrapping_sub(divisor.number) };
     for _ in 0..FRACTION / DIGIT {
-        let dividend = rest.wrapping_shl(DIGIT);
-        let digit = dividend / divisor;
-        rest = dividend.wrapping_sub(digit.wrapping_mul(divisor));
+        let digit;
+        (digit, rest) = divisor.divide(rest.wrapping_shl(DIGIT));
         quotient = quotient.wrapping_shl(DIGIT) | i64::from(digit);
+        // A loop: the digits are about flash.
+        core::hint::black_box(());
     }
     quotient
 }
@@ -73,5 +121,46 @@ impl LongEdge {
     #[inline(always)]
     pub(crate) fn step(&mut self) {
         self.x = self.x.wrapping_add(self.step);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::hard_numbers::Random;
+
+    #[test]
+    fn quotients_by_reciprocals_are_exact() {
+        let mut random = Random::new(7);
+        let check = |dividend: u32, number: u32| {
+            let got = by_reciprocal(dividend, number, reciprocal(number));
+            assert_eq!(got, (dividend / number, dividend % number), "{dividend} / {number}");
+        };
+        for number in (1..5000).chain([65_535, 65_536, 131_071, 131_072]) {
+            for dividend in [0, 1, number - 1, number, number + 1, (1 << 29) - 1] {
+                check(dividend, number);
+            }
+            let multiple = ((1 << 29) - 1) / number * number;
+            check(multiple, number);
+            check(multiple.saturating_sub(1), number);
+        }
+        for _ in 0..2_000_000 {
+            let number = (random.word() >> 15 >> (random.word() & 15)).max(1);
+            check(random.word() >> 3 >> (random.word() & 15), number);
+        }
+    }
+
+    #[test]
+    fn slopes_are_rounded_down_at_both_ends() {
+        let mut random = Random::new(8);
+        let ends = [(1, 1), (-1, 1), (0, 5), (131_072, 1), (-131_072, 1), (-131_072, 131_072)];
+        let any = (0..200_000).map(|_| {
+            let side = (random.word() >> 15).cast_signed();
+            (if random.word() & 1 == 0 { side } else { -side }, (random.word() >> 15).cast_signed())
+        });
+        for (dx, dy) in ends.into_iter().chain(any.filter(|(_, dy)| *dy > 0)) {
+            let exact = (i128::from(dx) << FRACTION).div_euclid(i128::from(dy));
+            assert_eq!(i128::from(slope(dx, dy)), exact, "{dx} / {dy}");
+        }
     }
 }

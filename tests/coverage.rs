@@ -15,7 +15,7 @@ fn spans(triangle: &Triangle, area: Rect) -> Vec<(i32, i32)> {
     let mut pixels = Vec::new();
     let mut batch = SpanBatch::default();
     let mut walk = Spans::default();
-    Scanline.start(&mut walk, triangle, area, &mut batch);
+    Scanline.start(&mut walk, triangle, &area, &mut batch);
     loop {
         for span in batch.spans() {
             assert!(span.first <= span.left && span.left < span.right, "{span:?}");

@@ -20,7 +20,7 @@ const OTHERS: [AnyTraversal; 3] = [AnyTraversal::Box, AnyTraversal::Blocks, AnyT
 
 fn spans(traversal: AnyTraversal, triangle: &Triangle, area: Rect) -> Vec<Span> {
     let (mut walk, mut batch) = (Default::default(), SpanBatch::default());
-    traversal.start(&mut walk, triangle, area, &mut batch);
+    traversal.start(&mut walk, triangle, &area, &mut batch);
     let mut spans = batch.spans().to_vec();
     while !batch.is_last() {
         walk.next_spans(&mut batch);

@@ -126,7 +126,7 @@ fn fill<T: Copy>(
         plane.origin = plane.origin.wrapping_add(0x8000);
     }
     let (mut walk, mut batch) = (Spans::default(), SpanBatch::default());
-    Scanline.start(&mut walk, &triangle, Rect::from_size(SIZE), &mut batch);
+    Scanline.start(&mut walk, &triangle, &Rect::from_size(SIZE), &mut batch);
     loop {
         for span in batch.spans() {
             let (from, to) =

@@ -13,12 +13,12 @@ pub(super) type Walk<S> = <<S as State>::Traversal as Traversal>::Walk;
 #[derive(Clone, Copy)]
 pub(super) struct Fill<'a, V: Varying> {
     pub(super) triangle: &'a Triangle,
-    pub(super) corners: [&'a Corner<V>; 3],
+    pub(super) corners: &'a [Corner<V>; 3],
     pub(super) provoking: &'a Corner<V>,
 }
 
 /// The plane of the depth codes: 16.16, raised by a half so that cutting off rounds.
-#[inline(never)]
+#[inline(always)]
 fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
     let [a, b, c] = &triangle.v;
     let mut plane = gradients.plane(a.z, b.z, c.z);

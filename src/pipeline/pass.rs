@@ -253,7 +253,7 @@ impl<H: Shader> Draw<'_, H> {
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         while assembly.next(positions, cache.entries, state.parts().1, &mut face) {
             let traversal = state.traversal();
-            traversal.start(&mut walk, &face.triangle, assembly.area, &mut batch);
+            traversal.start(&mut walk, &face.triangle, &assembly.area, &mut batch);
             if batch.is_empty() {
                 if !face.clipped {
                     state.parts().1.event(Event::Outside);
@@ -277,8 +277,13 @@ impl<H: Shader> Draw<'_, H> {
             } else {
                 state.parts().1.event(Event::Drawn);
             }
-            Fill { triangle: &face.triangle, corners: corners.each_ref(), provoking: &provoking }
-                .draw(frame, state, self.shader, &mut walk, &mut batch);
+            Fill { triangle: &face.triangle, corners: &corners, provoking: &provoking }.draw(
+                frame,
+                state,
+                self.shader,
+                &mut walk,
+                &mut batch,
+            );
         }
     }
 

@@ -122,10 +122,10 @@ impl<S: State> ScreenPass<S> {
             let (triangle, area) = (line.plane_triangle(), frame.scissor());
             let head = line.head(area).is_some_and(|mut walk| {
                 let triangle = &Triangle { v: [*a; 3], ..triangle };
-                let fill = Fill { triangle, corners: [p, p, p], provoking: p };
+                let fill = Fill { triangle, corners: &[*p; 3], provoking: p };
                 self.fill(frame, shader, &fill, &mut walk)
             });
-            let fill = Fill { triangle: &triangle, corners: [p, q, p], provoking: p };
+            let fill = Fill { triangle: &triangle, corners: &[*p, *q, *p], provoking: p };
             let rest = self.fill(frame, shader, &fill, &mut line.walk(area));
             self.event(if head || rest { Event::Drawn } else { Event::Outside });
         }
@@ -159,7 +159,7 @@ impl<S: State> ScreenPass<S> {
                 continue;
             }
             let triangle = &Triangle { v: [*vertex; 3], area: 1, flipped: false };
-            let fill = Fill { triangle, corners: [corner; 3], provoking: corner };
+            let fill = Fill { triangle, corners: &[*corner; 3], provoking: corner };
             let mut walk = PointWalk::new(vertex, size, frame.scissor());
             let drawn = self.fill(frame, shader, &fill, &mut walk);
             self.event(if drawn { Event::Drawn } else { Event::Outside });
@@ -208,6 +208,7 @@ impl<S: State> ScreenPass<S> {
     {
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         let culled = CulledWindings::new(self.cull, self.front);
+        let area = frame.scissor();
         for [(a, p), (b, q), (c, r)] in triangles {
             let (_, counter) = self.state.parts();
             counter.event(Event::Triangle);
@@ -225,14 +226,14 @@ impl<S: State> ScreenPass<S> {
                 counter.event(Event::Culled);
                 continue;
             }
-            self.state.traversal().start(&mut walk, triangle, frame.scissor(), &mut batch);
+            self.state.traversal().start(&mut walk, triangle, &area, &mut batch);
             if batch.is_empty() {
                 self.state.parts().1.event(Event::Outside);
                 continue;
             }
             self.state.parts().1.event(Event::Drawn);
-            let ordered = if triangle.flipped { [p, r, q] } else { [p, q, r] };
-            Fill { triangle, corners: ordered, provoking: p }.draw(
+            let ordered = if triangle.flipped { [*p, *r, *q] } else { [*p, *q, *r] };
+            Fill { triangle, corners: &ordered, provoking: p }.draw(
                 frame,
                 &mut self.state,
                 shader,

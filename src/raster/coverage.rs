@@ -22,7 +22,7 @@ pub trait Traversal: Copy {
 
     /// Starts `walk` on a triangle, limited to `area`, and takes its first spans: none if no pixel
     /// of it is covered.
-    fn start(&self, walk: &mut Self::Walk, triangle: &Triangle, area: Rect, batch: &mut SpanBatch);
+    fn start(&self, walk: &mut Self::Walk, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch);
 }
 
 /// A triangle being walked.
@@ -112,7 +112,7 @@ impl Traversal for Scanline {
     type Walk = Spans;
 
     #[inline(always)]
-    fn start(&self, walk: &mut Spans, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
+    fn start(&self, walk: &mut Spans, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
         walk.start(triangle, area, batch);
     }
 }

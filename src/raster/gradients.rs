@@ -25,7 +25,7 @@ pub struct Gradients {
     /// The first corner's pixel.
     pixel_x: i32,
     pixel_y: i32,
-    /// At least how far, in subpixels, the other corners are along either axis.
+    /// As many bits as has the way to the other corners along either axis, in subpixels.
     reach: u32,
     /// Of a triangle that is too large or too thin for weights.
     exact: Option<Exact>,
@@ -78,8 +78,9 @@ impl Gradients {
         let to_center_x = 8_i32.wrapping_sub(a.x_bits() & 15);
         let to_center_y = 8_i32.wrapping_sub(a.y_bits() & 15);
         let (pixel_x, pixel_y) = (a.x_bits() >> 4, a.y_bits() >> 4);
-        // At least the longest side, and less than twice as much.
-        let longest = x1.unsigned_abs() | y1.unsigned_abs() | x2.unsigned_abs() | y2.unsigned_abs();
+        // As many bits as the longest side has: the complement of one that is negative.
+        let bits = |side: i32| side ^ (side >> 31);
+        let longest = (bits(x1) | bits(y1) | bits(x2) | bits(y2)).cast_unsigned();
         let area = triangle.area as u32;
         if longest < SHORT_SIDE && area >= longest.wrapping_mul(longest) >> THICK {
             let reciprocal = reciprocal(area);

@@ -105,7 +105,7 @@ impl Spans {
     /// Starts on a triangle, limited to `area`, and takes its first spans: none if no pixel of it
     /// is covered. A short triangle ends here, and the walk stays as it is.
     #[inline(never)]
-    pub fn start(&mut self, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
+    pub fn start(&mut self, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
         batch.clear();
         // Clockwise from the highest corner: the next one is on its right side.
         let [a, b, c] = triangle.v.each_ref().map(Point::of);

@@ -24,7 +24,7 @@ impl Varying for FlatColor {
     const PIECE: i32 = 0;
 
     #[inline(always)]
-    fn planes(_: &Gradients, _: [&Color; 3], provoking: &Color, _: bool) -> Color {
+    fn planes(_: &Gradients, _: &[Color; 3], provoking: &Color, _: bool) -> Color {
         *provoking
     }
 

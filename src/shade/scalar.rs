@@ -23,7 +23,7 @@ impl Varying for Scalar {
     const PIECE: i32 = 0;
 
     #[inline(always)]
-    fn planes(gradients: &Gradients, [a, b, c]: [&u16; 3], _: &u16, _: bool) -> Plane {
+    fn planes(gradients: &Gradients, [a, b, c]: &[u16; 3], _: &u16, _: bool) -> Plane {
         let mut plane = gradients.plane(*a, *b, *c);
         plane.origin = plane.origin.wrapping_add(0x8000);
         plane

@@ -64,11 +64,11 @@ impl Varying for SmoothColor {
     #[inline(always)]
     fn planes(
         gradients: &Gradients,
-        [a, b, c]: [&Color; 3],
+        corners: &[Color; 3],
         _: &Color,
         in_pieces: bool,
     ) -> SmoothColorPlanes {
-        smooth_planes(gradients, a, b, c, in_pieces)
+        smooth_planes(gradients, corners, in_pieces)
     }
 
     #[inline(always)]
@@ -103,9 +103,7 @@ impl Varying for SmoothColor {
 #[inline(never)]
 fn smooth_planes(
     gradients: &Gradients,
-    a: &Color,
-    b: &Color,
-    c: &Color,
+    [a, b, c]: &[Color; 3],
     in_pieces: bool,
 ) -> SmoothColorPlanes {
     // The difference of a channel in 16 bits.

@@ -28,7 +28,7 @@ pub trait Varying: Copy {
     /// says whether they will be [settled](Self::settle).
     fn planes(
         gradients: &Gradients,
-        corners: [&Self::Corner; 3],
+        corners: &[Self::Corner; 3],
         provoking: &Self::Corner,
         in_pieces: bool,
     ) -> Self::Planes;
@@ -65,7 +65,7 @@ impl Varying for () {
     const PIECE: i32 = 0;
 
     #[inline(always)]
-    fn planes(_: &Gradients, _: [&(); 3], (): &(), _in_pieces: bool) {}
+    fn planes(_: &Gradients, _: &[(); 3], (): &(), _in_pieces: bool) {}
 
     #[inline(always)]
     fn start((): &(), _x: i32, _y: i32) -> ((), ()) {
@@ -102,13 +102,13 @@ impl<A: Varying, B: Varying> Varying for (A, B) {
     #[inline(always)]
     fn planes(
         gradients: &Gradients,
-        [a, b, c]: [&Self::Corner; 3],
+        corners: &[Self::Corner; 3],
         provoking: &Self::Corner,
         in_pieces: bool,
     ) -> Self::Planes {
         (
-            A::planes(gradients, [&a.0, &b.0, &c.0], &provoking.0, in_pieces),
-            B::planes(gradients, [&a.1, &b.1, &c.1], &provoking.1, in_pieces),
+            A::planes(gradients, &corners.map(|corner| corner.0), &provoking.0, in_pieces),
+            B::planes(gradients, &corners.map(|corner| corner.1), &provoking.1, in_pieces),
         )
     }
 

@@ -28,7 +28,7 @@ pub struct AnyWalk {
 impl Traversal for AnyTraversal {
     type Walk = AnyWalk;
 
-    fn start(&self, walk: &mut AnyWalk, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
+    fn start(&self, walk: &mut AnyWalk, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
         walk.by_rows = *self != Self::Spans;
         match self {
             Self::Spans => Scanline.start(&mut walk.spans, triangle, area, batch),

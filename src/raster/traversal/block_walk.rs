@@ -45,8 +45,8 @@ fn walk_row(edges: &Edges, pixels: Rect, x: i32, y: i32) -> (BlockRows, Option<i
 impl Traversal for BlockWalk {
     type Walk = Rows;
 
-    fn start(&self, walk: &mut Rows, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
-        let (edges, pixels) = (Edges::new(triangle), pixel_box(triangle, area));
+    fn start(&self, walk: &mut Rows, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
+        let (edges, pixels) = (Edges::new(triangle), pixel_box(triangle, *area));
         let mut found = Vec::new();
         if !pixels.is_empty() {
             let [vertex, ..] = triangle.vertices();
@@ -62,6 +62,6 @@ impl Traversal for BlockWalk {
                 }
             }
         }
-        walk.start(found, area, batch);
+        walk.start(found, *area, batch);
     }
 }

@@ -51,8 +51,8 @@ pub(super) fn finish(
 impl Traversal for Blocks {
     type Walk = Rows;
 
-    fn start(&self, walk: &mut Rows, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
-        let (edges, pixels) = (Edges::new(triangle), pixel_box(triangle, area));
+    fn start(&self, walk: &mut Rows, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
+        let (edges, pixels) = (Edges::new(triangle), pixel_box(triangle, *area));
         let mut found = Vec::new();
         let mut y = pixels.top & !(SIDE - 1);
         while y < pixels.bottom {
@@ -65,6 +65,6 @@ impl Traversal for Blocks {
             found.extend(finish(rows, y, pixels));
             y += SIDE;
         }
-        walk.start(found, area, batch);
+        walk.start(found, *area, batch);
     }
 }

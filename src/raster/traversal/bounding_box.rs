@@ -12,8 +12,8 @@ pub struct BoundingBox;
 impl Traversal for BoundingBox {
     type Walk = Rows;
 
-    fn start(&self, walk: &mut Rows, triangle: &Triangle, area: Rect, batch: &mut SpanBatch) {
-        let (edges, pixels) = (Edges::new(triangle), pixel_box(triangle, area));
+    fn start(&self, walk: &mut Rows, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
+        let (edges, pixels) = (Edges::new(triangle), pixel_box(triangle, *area));
         let rows = (pixels.top..pixels.bottom).filter_map(|y| {
             let mut values = edges.at(pixels.left, y);
             let mut found: Option<(i32, i32)> = None;
@@ -27,6 +27,6 @@ impl Traversal for BoundingBox {
             }
             found.map(|(first, behind)| (y, first, behind))
         });
-        walk.start(rows, area, batch);
+        walk.start(rows, *area, batch);
     }
 }

@@ -1,4 +1,4 @@
-use super::{approximate, trigonometry};
+use super::{approximate, trigonometry, whole};
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 /// An angle, modulo a whole turn: 2^32 steps to the turn, in one word.
@@ -75,6 +75,14 @@ impl Angle {
     pub const fn from_turns(turns: f32) -> Self {
         // Doubling is exact; where it overflows, the number of turns is whole.
         Self { steps: trigonometry::times_fraction(turns * 2.0, &TURNS_PER_HALF_TURN) }
+    }
+
+    /// Half of the value in [-1/2, 1/2) turn: the same as `self * 0.5`, in integers.
+    pub(crate) const fn half(self) -> Self {
+        let value = self.steps.cast_signed();
+        // To the precision of a float, and from there to the nearest step, away from zero.
+        let size = whole(value.unsigned_abs() as f32).cast_unsigned().wrapping_add(1) >> 1;
+        Self { steps: if value < 0 { size.wrapping_neg() } else { size } }
     }
 
     /// In degrees, in [-180, 180).
@@ -223,6 +231,21 @@ mod tests {
         };
         assert!((value(&TURNS_PER_DEGREE) * 360.0 - 1.0).abs() < 1e-15);
         assert!((value(&TURNS_PER_RADIAN) * TAU - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn half_is_half() {
+        let mut random = Random::new(12);
+        let randoms = (0..200_000).map(|_| {
+            let word = random.word();
+            (word >> (word & 31)).wrapping_mul(if word & 32 == 0 { 1 } else { u32::MAX })
+        });
+        for steps in
+            [0, 1, 2, 3, u32::MAX, 1 << 31, (1 << 31) - 1, (1 << 31) + 1].into_iter().chain(randoms)
+        {
+            let angle = Angle { steps };
+            assert_eq!(angle.half(), angle * 0.5, "{steps:x}");
+        }
     }
 
     #[test]

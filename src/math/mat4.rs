@@ -293,8 +293,7 @@ impl Mat4 {
 impl Mul for Mat4 {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let column = |v: &Vec4| transform(&self, v);
-        Self::from_columns(column(&other.x), column(&other.y), column(&other.z), column(&other.w))
+        product(&self, &other)
     }
 }
 
@@ -305,8 +304,26 @@ impl Mul<Vec4> for Mat4 {
     }
 }
 
-/// One copy: four of them in a product would be half a kilobyte.
+/// One copy, for flash.
+#[inline(never)]
+fn product(a: &Mat4, b: &Mat4) -> Mat4 {
+    let column = |v: &Vec4| transform(a, v);
+    Mat4::from_columns(column(&b.x), column(&b.y), column(&b.z), column(&b.w))
+}
+
 #[inline(never)]
 fn transform(m: &Mat4, v: &Vec4) -> Vec4 {
-    m.x * v.x + m.y * v.y + m.z * v.z + m.w * v.w
+    let Mat4 { x, y, z, w } = m;
+    Vec4::new(
+        sum_of_products(x.x, y.x, z.x, w.x, v),
+        sum_of_products(x.y, y.y, z.y, w.y, v),
+        sum_of_products(x.z, y.z, z.z, w.z, v),
+        sum_of_products(x.w, y.w, z.w, w.w, v),
+    )
+}
+
+/// A row of a matrix times a vector. One copy, for flash.
+#[inline(never)]
+pub(crate) fn sum_of_products(a: f32, b: f32, c: f32, d: f32, v: &Vec4) -> f32 {
+    a * v.x + b * v.y + c * v.z + d * v.w
 }

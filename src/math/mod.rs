@@ -37,17 +37,28 @@ mod vec2;
 mod vec3;
 mod vec4;
 mod vector;
+mod whole;
 mod wide;
+
+/// Counts to `n` in a loop that stays one: the compiler learns neither how often it runs nor where
+/// it is, so that it makes no copies of the body. This is about flash.
+#[inline(always)]
+pub(crate) fn rolled(n: usize) -> impl Iterator<Item = usize> {
+    (0..core::hint::black_box(n)).map(core::hint::black_box)
+}
 
 pub use angle::Angle;
 pub use angle_units::AngleUnits;
 pub use inverse_sqrt::{inverse_sqrt, InverseSqrt};
+pub(crate) use mat4::sum_of_products;
 pub use mat4::Mat4;
+pub(crate) use reciprocal::reciprocal_of_some;
 pub use reciprocal::{reciprocal, Reciprocal};
 pub use sqrt::sqrt;
 pub use vec2::Vec2;
 pub use vec3::Vec3;
 pub use vec4::Vec4;
+pub(crate) use whole::whole;
 pub(crate) use wide::{
-    mul_high_31, mul_high_signed, weight, weighted_sum, wide_product, BY_HALVES,
+    mul_high_31, mul_high_positive, mul_high_signed, weight, weighted_sum, wide_product, BY_HALVES,
 };

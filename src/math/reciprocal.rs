@@ -48,10 +48,15 @@ static SEEDS: [u16; 128] = {
 /// let third = reciprocal(3);
 /// assert_eq!((3000 * u64::from(third.mantissa) + (1 << (third.shift - 1))) >> third.shift, 1000);
 /// ```
-#[inline(never)]
+#[inline]
 #[must_use]
 pub fn reciprocal(n: u32) -> Reciprocal {
-    let n = if n == 0 { 1 } else { n };
+    reciprocal_of_some(if n == 0 { 1 } else { n })
+}
+
+/// The same for what is known not to be zero (of which it makes nonsense).
+#[inline(never)]
+pub(crate) fn reciprocal_of_some(n: u32) -> Reciprocal {
     let leading_zeros = n.leading_zeros();
     // f = normal / 2^32, in [1/2, 1).
     let normal = n.wrapping_shl(leading_zeros);
@@ -70,10 +75,8 @@ pub fn reciprocal(n: u32) -> Reciprocal {
     let correction = mul_high_signed(error.wrapping_shl(13), estimate >> 1) >> 10;
     let mantissa = estimate.wrapping_add(correction.cast_unsigned());
 
-    Reciprocal {
-        mantissa: mantissa.clamp(1 << 30, (1 << 31) - 1),
-        shift: 62u32.wrapping_sub(leading_zeros),
-    }
+    // In range for all 2^31 normal numbers, as going through them shows.
+    Reciprocal { mantissa, shift: 62u32.wrapping_sub(leading_zeros) }
 }
 
 #[cfg(test)]

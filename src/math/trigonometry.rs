@@ -3,16 +3,17 @@
 use super::wide::mul_high;
 
 /// (pi/4)^(2k+1) / (2k+1)! with 32 fraction bits: the series of sin(pi/4 z) / z.
-const SINE: [u32; 5] = [0xC90F_DAA2, 0x14AB_BCE6, 0x00A3_35E3, 0x0002_65A6, 0x0000_0542];
+static SINE: [u32; 5] = [0xC90F_DAA2, 0x14AB_BCE6, 0x00A3_35E3, 0x0002_65A6, 0x0000_0542];
 
 /// (pi/4)^(2k) / (2k)! with 31 fraction bits: the series of cos(pi/4 z) after its 1.
-const COSINE: [u32; 5] = [0x277A_7993, 0x0207_83E1, 0x000A_AE9E, 0x0000_1E1F, 0x0000_0035];
+static COSINE: [u32; 5] = [0x277A_7993, 0x0207_83E1, 0x000A_AE9E, 0x0000_1E1F, 0x0000_0035];
 
 /// The sum c0 - w (c1 - w (c2 - w (c3 - w c4))), `w` with 32 fraction bits.
 ///
 /// No difference is negative: each coefficient is less than a seventh of the one before.
-const fn alternating_series([c0, c1, c2, c3, c4]: [u32; 5], w: u32) -> u32 {
-    let sum = c3.wrapping_sub(mul_high(w, c4));
+#[inline(never)]
+const fn alternating_series([c0, c1, c2, c3, c4]: &[u32; 5], w: u32) -> u32 {
+    let sum = c3.wrapping_sub(mul_high(w, *c4));
     let sum = c2.wrapping_sub(mul_high(w, sum));
     let sum = c1.wrapping_sub(mul_high(w, sum));
     c0.wrapping_sub(mul_high(w, sum))
@@ -23,6 +24,7 @@ const fn alternating_series([c0, c1, c2, c3, c4]: [u32; 5], w: u32) -> u32 {
 /// The Taylor series on an eighth of a turn to either side, in fixed point, and one conversion to
 /// float: the error (3.2e-8 for either, measured over the circle) is hardly more than what
 /// rounding to an `f32` costs.
+#[inline(never)]
 pub(super) const fn sin_cos(angle: u32) -> (f32, f32) {
     const UNIT: f32 = 1.0 / 2_147_483_648.0;
 
@@ -35,8 +37,8 @@ pub(super) const fn sin_cos(angle: u32) -> (f32, f32) {
     let square = mul_high(z, z);
     let square = (if square >> 30 == 0 { square } else { (1 << 30) - 1 }) << 2;
 
-    let sine = mul_high(z, alternating_series(SINE, square)) as f32 * UNIT;
-    let cosine = mul_high(square, alternating_series(COSINE, square));
+    let sine = mul_high(z, alternating_series(&SINE, square)) as f32 * UNIT;
+    let cosine = mul_high(square, alternating_series(&COSINE, square));
     let cosine = (1u32 << 31).wrapping_sub(cosine) as f32 * UNIT;
 
     // Subtracting from zero, unlike negating, makes no negative zero.

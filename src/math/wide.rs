@@ -42,6 +42,20 @@ pub(crate) const fn mul_high_31(a: u32, b: u32) -> u32 {
     }
 }
 
+/// The upper 32 bits of the product of two numbers that are not negative, as signed.
+///
+/// Of signed factors whose signs it does not know the compiler makes one instruction, and one again
+/// of the result's product with a signed number; of an unsigned and a signed one it makes three.
+#[inline(always)]
+#[allow(clippy::cast_possible_wrap, reason = "below 2^30")]
+pub(crate) const fn mul_high_positive(a: i32, b: i32) -> i32 {
+    if BY_HALVES {
+        high_by_parts(a as u32, b as u32) as i32
+    } else {
+        ((a as i64 * b as i64) >> 32) as i32
+    }
+}
+
 /// The upper 32 bits of a product.
 #[inline(always)]
 pub(crate) const fn mul_high(a: u32, b: u32) -> u32 {

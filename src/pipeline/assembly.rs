@@ -1,5 +1,5 @@
 use super::cache::{slot, Entry};
-use super::clipper::{Fan, Polygon};
+use super::clipper::Fan;
 use super::mapping::Mapping;
 use super::projected::{flag, Projected};
 use super::transform::Transform;
@@ -203,12 +203,7 @@ impl Assembly<'_> {
     /// there.
     #[inline(never)]
     fn clip<P: Positions>(&mut self, positions: &P, vertices: [u32; 3]) -> Option<Event> {
-        let mut triangle = [Clip::default(); 3];
-        for (clip, index) in triangle.iter_mut().zip(vertices) {
-            // A loop: this is about flash.
-            *clip = positions.clip(core::hint::black_box(index))?;
-        }
-        Polygon::of(&triangle, &self.mapping).fan(&self.mapping, &mut self.fan);
+        self.fan.cut(&self.mapping, |index| positions.clip(index), &vertices)?;
         Some(if self.fan.is_empty() {
             Event::Outside
         } else if self.fan.area == 0 {

@@ -1,4 +1,5 @@
 use super::projected::Projected;
+use crate::math::rolled;
 
 /// Set in a key when the vertex's attributes are made too.
 const SHADED: u32 = 1 << 31;
@@ -58,8 +59,10 @@ impl<C: Copy, const N: usize> VertexCache<C, N> {
     /// Forgets all vertices and lends the arrays out, without their length in the type.
     #[inline]
     pub(super) fn start(&mut self) -> CacheView<'_, C> {
-        for entry in &mut self.entries {
-            entry.key = 0;
+        for at in rolled(N) {
+            if let Some(entry) = self.entries.get_mut(at) {
+                entry.key = 0;
+            }
         }
         CacheView { entries: &mut self.entries, corners: &mut self.corners }
     }

@@ -1,203 +1,133 @@
 use super::mapping::{near_slack, Mapping};
-use super::transform::Depth;
 use super::Clip;
-use crate::math::{reciprocal, Reciprocal};
+use crate::math::{reciprocal_of_some, rolled, Reciprocal};
 use crate::raster::{twice_area, ScreenVertex, Triangle, GUARD};
 
 /// A clipped triangle has at most its three corners and one more for each of seven planes.
 const MAX_CORNERS: usize = 3 + 7;
 
+/// Places in the ring of corners: room for a polygon, and for a second that is being made of it.
+const RING: usize = 16;
+
 /// How far from the viewport's centre triangles are cut, in pixels: a little inside of the guard
 /// box, so that rounding does not leave it.
-const CUT: i64 = GUARD as i64 - 2;
+#[allow(clippy::cast_possible_truncation, reason = "4096")]
+const CUT: i16 = GUARD as i16 - 2;
 
-/// A corner of the polygon: where it is, and how much of the triangle's second and third corner is
-/// in it, in units of 2^-30.
-#[derive(Clone, Copy, Debug, Default)]
-struct PolygonCorner {
-    clip: Clip,
-    u: i32,
-    v: i32,
-}
-
-/// A triangle cut at the near and far planes and at the guard box.
+/// A corner of a polygon: where it is in clip space (x, y, z, w), and how much of the triangle's
+/// second and third corner is in it (u, v), in units of 2^-30.
 ///
-/// Source: I. Sutherland and G. Hodgman, *Reentrant Polygon Clipping*, CACM 17 (1974). Edges are
-/// always cut from the inside to the outside, so that two triangles that share an edge get the
-/// same point.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Polygon {
-    corners: [PolygonCorner; MAX_CORNERS],
-    length: usize,
+/// Numbers in a row: what is done to a corner is done to each of them. Two more make a power of two
+/// of their number.
+type Corner = [i32; 8];
+
+/// How many of a corner's numbers are in use.
+const NUMBERS: usize = 6;
+
+/// Where a corner's numbers are.
+const Z: u8 = 2;
+const W: usize = 3;
+
+/// How much of a triangle's second and third corner is in a point, in units of 2^-30.
+pub(super) type Weights = (i32, i32);
+
+/// A plane: signed distance, positive inside, as a linear form of one coordinate and w.
+#[derive(Clone, Copy, Debug)]
+struct ClipPlane {
+    /// Which coordinate.
+    axis: usize,
+    factor: i32,
+    w_factor: i32,
+    offset: i32,
+    /// Whether the rounding of the matrix is granted.
+    slack: bool,
 }
 
-/// A plane: signed distance, positive inside.
-#[derive(Clone, Copy, Debug)]
-enum ClipPlane {
-    Near,
-    Far,
-    Eye,
-    Left,
-    Right,
-    Below,
-    Above,
-}
+/// The plane of the near distance where depth comes from w, else of the eye: w at its least.
+const LEAST_W: usize = 1;
+
+/// What the planes are made of: an axis, the sign of its coordinate, and the factor of w. The near
+/// plane of a matrix with a row for z, [`LEAST_W`], far, left, right, below, above.
+///
+/// For the last four the side of the cut box over that of the viewport, times w, is compared with
+/// x or y: w is multiplied with the one, and the sign is that of the other.
+static PLANES: [(u8, i8, i16); 7] = [
+    (Z, -1, 1),
+    (Z, 0, 1),
+    (Z, 1, 0),
+    (0, 1, 2 * CUT),
+    (0, -1, 2 * CUT),
+    (1, 1, 2 * CUT),
+    (1, -1, 2 * CUT),
+];
 
 impl ClipPlane {
-    const ALL: [Self; 7] =
-        [Self::Near, Self::Eye, Self::Far, Self::Left, Self::Right, Self::Below, Self::Above];
+    fn new(number: usize, mapping: &Mapping) -> Self {
+        let (axis, sign, w_factor) = PLANES.get(number).copied().unwrap_or_default();
+        let scale = match axis {
+            0 => mapping.size().width.into(),
+            1 => mapping.size().height.into(),
+            _ => 1,
+        };
+        let least = [0, mapping.depth.w_min, mapping.depth.z_min];
+        let offset = least.get(number).copied().unwrap_or(0);
+        Self {
+            axis: axis.into(),
+            factor: i32::wrapping_mul(scale, sign.into()),
+            w_factor: w_factor.into(),
+            offset,
+            slack: number == 0,
+        }
+    }
 
     #[inline(never)]
-    fn distance(self, clip: &Clip, mapping: &Mapping) -> i64 {
-        let depth = &mapping.depth;
-        let (x, y) = (i64::from(clip.x), i64::from(clip.y));
-        let (z, w) = (i64::from(clip.z), i64::from(clip.w));
-        // Half a side of the cut box over half a side of the viewport, times w, against x.
-        let reach = w.wrapping_mul(2 * CUT);
-        let (wide, high) = (i64::from(mapping.width), i64::from(mapping.height));
-        match (self, depth) {
-            (Self::Near, Depth::Near { w_min, .. }) => w.wrapping_sub(i64::from(*w_min)),
-            (Self::Near, Depth::Row { .. }) => {
-                w.wrapping_add(near_slack(clip.w.max(0)).into()).wrapping_sub(z)
-            }
-            (Self::Eye, Depth::Row { .. }) => w.wrapping_sub(1),
-            (Self::Far, Depth::Row { far: true }) => z,
-            (Self::Eye | Self::Far, _) => 0,
-            (Self::Left, _) => reach.wrapping_add(x.wrapping_mul(wide)),
-            (Self::Right, _) => reach.wrapping_sub(x.wrapping_mul(wide)),
-            (Self::Below, _) => reach.wrapping_add(y.wrapping_mul(high)),
-            (Self::Above, _) => reach.wrapping_sub(y.wrapping_mul(high)),
+    fn distance(&self, corner: &Corner) -> i64 {
+        let product = |a: i32, b: i32| i64::from(a).wrapping_mul(b.into());
+        let distance = product(corner[self.axis % 8], self.factor)
+            .wrapping_add(product(corner[W], self.w_factor))
+            .wrapping_sub(self.offset.into());
+        if self.slack {
+            distance.wrapping_add(near_slack(corner[W].max(0)).into())
+        } else {
+            distance
         }
     }
 }
 
 /// a / b in units of 2^-30 for 0 <= a <= b, b above zero.
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_possible_wrap,
-    reason = "shifted into range, or a point between two others"
-)]
-fn ratio(a: i64, b: i64) -> i64 {
-    let (a, b) = (a as u64, b as u64);
-    let excess = 32_u32.saturating_sub(b.leading_zeros());
-    let Reciprocal { mantissa, shift } = reciprocal((b >> excess) as u32);
-    let product = (a >> excess).wrapping_mul(mantissa.into());
-    let down = shift.wrapping_sub(30) & 63;
-    ((product.wrapping_add(1 << (down.wrapping_sub(1) & 63)) >> down) as i64).clamp(0, 1 << 30)
+#[allow(clippy::cast_possible_wrap, reason = "at most 2^30")]
+fn ratio(a: i64, b: i64) -> i32 {
+    // The 32 bits of both from the first of b.
+    let room = b.leading_zeros();
+    let high = |v: i64| (v.wrapping_shl(room) as u64 >> 32) as u32;
+    let Reciprocal { mantissa, .. } = reciprocal_of_some(high(b));
+    let product = u64::from(high(a)).wrapping_mul(mantissa.into());
+    (product.wrapping_add(1 << 31) >> 32).min(1 << 30) as i32
 }
 
 /// The point that divides a..b as t, in units of 2^-30; rounded to nearest.
 #[inline(never)]
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "shifted into range, or a point between two others"
-)]
-fn between(a: i32, b: i32, t: i64) -> i32 {
-    let difference = i64::from(b).wrapping_sub(a.into());
-    a.wrapping_add((difference.wrapping_mul(t).wrapping_add(1 << 29) >> 30) as i32)
+#[allow(clippy::cast_possible_truncation, reason = "a point between two others")]
+fn between(a: i32, b: i32, t: i32) -> i32 {
+    // Numbers are at most 2^30 in magnitude.
+    let way = i64::from(b.wrapping_sub(a)).wrapping_mul(t.into());
+    a.wrapping_add((way.wrapping_add(1 << 29) >> 30) as i32)
 }
 
-impl Polygon {
-    /// A triangle, cut at all planes that limit the view except the sides of the viewport: those
-    /// are the scissor's.
-    #[inline(never)]
-    pub(super) fn of(triangle: &[Clip; 3], mapping: &Mapping) -> Self {
-        const ONE: i32 = 1 << 30;
-        let weights = [(0, 0), (ONE, 0), (0, ONE)];
-        let mut polygon = Self::default();
-        for (clip, (u, v)) in triangle.iter().zip(weights) {
-            polygon.push(&PolygonCorner { clip: *clip, u, v });
-        }
-        for plane in ClipPlane::ALL {
-            // Seven planes, one copy: this is about flash.
-            polygon.cut(core::hint::black_box(plane), mapping);
-        }
-        polygon
-    }
-
-    /// Takes off what lies outside of a plane.
-    #[inline(never)]
-    fn cut(&mut self, plane: ClipPlane, mapping: &Mapping) {
-        let whole = *self;
-        let Some(mut last) = whole.corners().last() else { return };
-        let mut before = plane.distance(&last.clip, mapping);
-        self.length = 0;
-        for corner in whole.corners() {
-            let after = plane.distance(&corner.clip, mapping);
-            if (before < 0) != (after < 0) {
-                // Always from the inside to the outside.
-                let (inside, near, outside, beyond) = if before < 0 {
-                    (corner, after, last, before)
-                } else {
-                    (last, before, corner, after)
-                };
-                let t = ratio(near, near.wrapping_sub(beyond));
-                let mut cut = inside.toward(outside, t);
-                if let (ClipPlane::Near, Depth::Near { w_min, .. }) = (plane, &mapping.depth) {
-                    // By definition, and free of the ratio's rounding.
-                    cut.clip.w = *w_min;
-                }
-                self.push(&cut);
-            }
-            if after >= 0 {
-                self.push(corner);
-            }
-            (last, before) = (corner, after);
-        }
-    }
-
-    #[inline(never)]
-    fn push(&mut self, corner: &PolygonCorner) {
-        if let Some(place) = self.corners.get_mut(self.length) {
-            *place = *corner;
-            self.length = self.length.wrapping_add(1);
-        }
-    }
-
-    fn corners(&self) -> &[PolygonCorner] {
-        self.corners.get(..self.length).unwrap_or(&[])
-    }
-
-    /// The polygon on the screen as triangles about one corner.
-    #[inline(never)]
-    pub(super) fn fan(&self, mapping: &Mapping, fan: &mut Fan) {
-        fan.length = self.length;
-        let places = fan.points.iter_mut().zip(&mut fan.weights);
-        for (corner, (point, weight)) in self.corners().iter().zip(places) {
-            *point = mapping.corner(&corner.clip);
-            *weight = (corner.u, corner.v);
-        }
-        fan.choose_apex();
-    }
-}
-
-impl PolygonCorner {
-    /// The point that divides the way to another corner as t, in units of 2^-30.
-    #[inline(never)]
-    fn toward(&self, to: &Self, t: i64) -> Self {
-        let (a, b) = (&self.clip, &to.clip);
-        Self {
-            clip: Clip {
-                x: between(a.x, b.x, t),
-                y: between(a.y, b.y, t),
-                z: between(a.z, b.z, t),
-                w: between(a.w, b.w, t),
-            },
-            u: between(self.u, to.u, t),
-            v: between(self.v, to.v, t),
-        }
-    }
-}
-
-/// How much of a triangle's second and third corner is in a point, in units of 2^-30.
-pub(super) type Weights = (i32, i32);
-
-/// A polygon on the screen, cut into triangles about its apex.
+/// A triangle cut at the near and far planes and at the guard box, then cut into triangles about
+/// one corner of what is left of it, its apex.
+///
+/// Source: I. Sutherland and G. Hodgman, *Reentrant Polygon Clipping*, CACM 17 (1974). Edges are
+/// always cut from the inside to the outside, so that two triangles that share an edge get the
+/// same point.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Fan {
-    points: [ScreenVertex; MAX_CORNERS],
-    weights: [Weights; MAX_CORNERS],
+    /// A ring: corners are taken off its one end while those of the next polygon come to the other.
+    /// After [`project`](Self::project), x, y and z are those of the screen.
+    corners: [Corner; RING],
+    first: usize,
     length: usize,
+    /// Which corner all pieces share.
     apex: usize,
     /// The piece that comes next.
     next: usize,
@@ -206,6 +136,96 @@ pub(super) struct Fan {
 }
 
 impl Fan {
+    /// Takes the triangle of these corners, cut at all planes that limit the view except the sides
+    /// of the viewport: those are the scissor's. `None` if a corner is not there.
+    #[inline(always)]
+    pub(super) fn cut(
+        &mut self,
+        mapping: &Mapping,
+        clip: impl Fn(u32) -> Option<Clip>,
+        vertices: &[u32; 3],
+    ) -> Option<()> {
+        for at in rolled(3) {
+            let Clip { x, y, z, w } = clip(*vertices.get(at)?)?;
+            let at = at % RING;
+            let all = |corner| i32::from(at == corner) << 30;
+            self.corners[at] = [x, y, z, w, all(1), all(2), 0, 0];
+        }
+        self.cut_at_planes(mapping);
+        Some(())
+    }
+
+    /// Cuts the triangle that the first three corners are.
+    #[inline(never)]
+    fn cut_at_planes(&mut self, mapping: &Mapping) {
+        (self.first, self.length) = (0, 3);
+        for number in rolled(PLANES.len()) {
+            self.cut_at(number, mapping);
+        }
+        self.project(mapping);
+        self.choose_apex();
+    }
+
+    /// Takes off what lies outside of a plane.
+    #[inline(never)]
+    fn cut_at(&mut self, number: usize, mapping: &Mapping) {
+        let has_row = mapping.depth.is_row();
+        if number == 0 && !has_row {
+            return;
+        }
+        let plane = ClipPlane::new(number, mapping);
+        let (first, end) = (self.first, self.first.wrapping_add(self.length));
+        (self.first, self.length) = (end, 0);
+        let mut last = end.wrapping_sub(1);
+        let mut before = plane.distance(self.corner(last));
+        for at in first..end {
+            let after = plane.distance(self.corner(at));
+            if (before < 0) != (after < 0) {
+                // Always from the inside to the outside.
+                let (inside, near, outside, beyond) =
+                    if before < 0 { (at, after, last, before) } else { (last, before, at, after) };
+                let cut = self.push(inside, outside, ratio(near, near.wrapping_sub(beyond)));
+                if number == LEAST_W && !has_row {
+                    // The near distance by definition, and free of the ratio's rounding.
+                    cut[W] = plane.offset;
+                }
+            }
+            if after >= 0 {
+                self.push(at, at, 0);
+            }
+            (last, before) = (at, after);
+        }
+    }
+
+    /// Appends the point that divides the way from one corner to another as t, in units of 2^-30.
+    #[inline(never)]
+    fn push(&mut self, from: usize, to: usize, t: i32) -> &mut Corner {
+        let place = self.first.wrapping_add(self.length);
+        // There are never more; if there were, the last would make place.
+        self.length = self.length.wrapping_add(1).min(MAX_CORNERS);
+        for at in rolled(NUMBERS) {
+            let at = at % 8;
+            let (a, b) = (self.corner(from)[at], self.corner(to)[at]);
+            self.corners[place % RING][at] = between(a, b, t);
+        }
+        &mut self.corners[place % RING]
+    }
+
+    fn corner(&self, at: usize) -> &Corner {
+        &self.corners[at % RING]
+    }
+
+    /// Puts the polygon on the screen.
+    fn project(&mut self, mapping: &Mapping) {
+        for step in 0..self.length {
+            let corner = &mut self.corners[self.first.wrapping_add(step) % RING];
+            let [x, y, z, w, ..] = *corner;
+            let on_screen = mapping.corner(&Clip { x, y, z, w });
+            [corner[0], corner[1], corner[2]] =
+                [on_screen.x_bits(), on_screen.y_bits(), on_screen.z.into()];
+        }
+    }
+
     /// Whether there is no piece at all.
     pub(super) const fn is_empty(&self) -> bool {
         self.length < 3
@@ -231,10 +251,9 @@ impl Fan {
 
     /// The latest piece's corners, and twice its area.
     #[inline(never)]
+    #[allow(clippy::cast_possible_truncation, reason = "a depth code")]
     fn piece_area(&self, corners: &mut [ScreenVertex; 3]) -> i64 {
-        for (corner, at) in corners.iter_mut().zip(self.piece()) {
-            *corner = self.points.get(at).copied().unwrap_or_default();
-        }
+        *corners = self.piece().map(|[x, y, z, ..]| ScreenVertex::from_bits(*x, *y, *z as u16));
         twice_area(corners)
     }
 
@@ -242,18 +261,15 @@ impl Fan {
     /// order.
     #[inline(never)]
     pub(super) fn weights(&self) -> [Weights; 3] {
-        self.piece().map(|at| self.weights.get(at).copied().unwrap_or_default())
+        self.piece().map(|[_, _, _, _, u, v, ..]| (*u, *v))
     }
 
-    /// Where the corners of the latest piece are.
-    fn piece(&self) -> [usize; 3] {
+    /// The corners of the latest piece.
+    fn piece(&self) -> [&Corner; 3] {
         [0, self.next, self.next.wrapping_add(1)].map(|step| {
             let at = self.apex.wrapping_add(step);
-            if at >= self.length {
-                at.wrapping_sub(self.length)
-            } else {
-                at
-            }
+            let at = if at >= self.length { at.wrapping_sub(self.length) } else { at };
+            self.corner(self.first.wrapping_add(at))
         })
     }
 
@@ -270,7 +286,6 @@ impl Fan {
     }
 
     /// Whether the triangles about the apex all turn the same way; sums their areas.
-    #[inline(never)]
     fn turns_one_way(&mut self) -> bool {
         let mut same = true;
         self.area = 0;

@@ -3,11 +3,11 @@ use super::cache::CacheView;
 use super::clipper::Fan;
 use super::fill::{Access, Fill, Walk};
 use super::mapping::Mapping;
-use super::transform::Transform;
+use super::transform::{Depth, Place, Transform};
 use super::{Clip, Cull, CulledWindings, VertexCache, Winding};
 use crate::color::Format;
-use crate::frame::{Frame, Rect, Size, Supplies};
-use crate::math::{Mat4, Vec3};
+use crate::frame::{Frame, Rect, Size, Supplies, MAX_SIDE};
+use crate::math::Mat4;
 use crate::raster::{SpanBatch, Traversal};
 use crate::scene::{Camera, Mesh};
 use crate::shade::{
@@ -149,8 +149,13 @@ impl<S: State> Pass<'_, S> {
     {
         let viewport = self.viewport.unwrap_or(Rect::from_size(frame.picture()));
         let triangles = u32::try_from(mesh.triangles()).unwrap_or(u32::MAX);
-        let place = (!H::OWN_POSITIONS).then(|| mesh.place());
-        let Some((context, transform)) = prepare(self.camera, model, place, viewport) else {
+        let near = self.camera.constant_near();
+        let (scale, offset) = mesh.place();
+        let place = (scale, offset.extend(1.0));
+        let mut transform = Transform::NONE;
+        let placed = (!H::OWN_POSITIONS).then_some(&mut transform);
+        let mapping = prepare(self.camera, near, model, &place, viewport, placed);
+        let Some(mapping) = mapping else {
             let (_, counter) = self.state.parts();
             for _ in 0..triangles {
                 counter.event(Event::Triangle);
@@ -161,10 +166,18 @@ impl<S: State> Pass<'_, S> {
         let assembly = Assembly {
             indices: Triples::new(mesh.indices, triangles),
             cursor: 0,
-            mapping: Mapping::new(viewport, transform.depth),
+            mapping,
             area: frame.scissor().intersection(viewport),
             culled: CulledWindings::new(self.cull, self.front),
             fan: Fan::default(),
+        };
+        // What of this the shader does not look at is not made.
+        let size = mapping.size();
+        let context = DrawContext {
+            model: *model,
+            view: self.camera.view(),
+            projection: self.camera.projection(aspect(size)),
+            viewport: size,
         };
         let draw = Draw { mesh, shader, prepared: &shader.prepare(&context) };
         if H::OWN_POSITIONS {
@@ -176,47 +189,44 @@ impl<S: State> Pass<'_, S> {
     }
 }
 
-/// Matrices of a draw; `None` if they are not finite or the viewport is out of range.
+/// Width over height.
+fn aspect(size: Size) -> f32 {
+    f32::from(size.width) / f32::from(size.height)
+}
+
+/// The pixels of a side of a viewport; `None` if there are none, or what lies there is out of range.
+#[inline(never)]
+fn side(from: i32, to: i32) -> Option<u16> {
+    // Wraps to something large where the viewport is empty.
+    let pixels = u16::try_from(to.wrapping_sub(from)).ok()?;
+    (from.unsigned_abs() <= FARTHEST && (1..=MAX_SIDE).contains(&pixels)).then_some(pixels)
+}
+
+/// From the matrices of a draw; `None` if they are not finite or the viewport is out of range.
 ///
-/// `place` is the scale and the offset of the mesh's positions; without it, they come in clip
-/// space.
+/// `place` is the scale and the offset of the mesh's positions, and `transform` what they go
+/// through, unless they come in clip space. That and `near`, the camera's
+/// [`constant_near`](Camera::constant_near), are arguments because the compiler then sees what no
+/// draw of a program asks for.
 #[inline(never)]
 fn prepare(
     camera: &Camera,
+    near: Option<f32>,
     model: &Mat4,
-    place: Option<(Vec3, Vec3)>,
+    place: &Place,
     viewport: Rect,
-) -> Option<(DrawContext, Transform)> {
-    let (width, height) = (viewport.width(), viewport.height());
-    let side = |side: u32| u16::try_from(side).ok().filter(|s| *s <= crate::MAX_SIDE);
-    let size = Size::new(side(width)?, side(height)?);
-    let within = |v: i32| v.unsigned_abs() <= FARTHEST;
-    if size.width == 0 || size.height == 0 || !within(viewport.left) || !within(viewport.top) {
-        return None;
-    }
-    let aspect = f32::from(size.width) / f32::from(size.height);
-    let context = DrawContext {
-        model: *model,
-        view: camera.view(),
-        projection: camera.projection(aspect),
-        viewport: size,
-    };
-    let near = camera.constant_near();
-    let transform = match place {
-        None => Transform::identity(near.is_none()),
-        Some((scale, offset)) => {
-            let mut matrix = context.model_view_projection();
-            matrix.w = matrix * offset.extend(1.0);
-            for (column, factor) in
-                [&mut matrix.x, &mut matrix.y, &mut matrix.z].into_iter().zip(scale.to_array())
-            {
-                // A loop: this is about flash.
-                *column *= core::hint::black_box(factor);
-            }
-            Transform::new(&matrix, near, near.is_none())?
+    transform: Option<&mut Transform>,
+) -> Option<Mapping> {
+    let Rect { left, top, right, bottom } = viewport;
+    let size = Size::new(side(left, right)?, side(top, bottom)?);
+    let depth = match transform {
+        Some(transform) => {
+            let matrix = camera.projection(aspect(size)) * (camera.view() * *model);
+            transform.set(&matrix, place, near)?
         }
+        None => Depth::of_row(near.is_none()),
     };
-    Some((context, transform))
+    Some(Mapping::new(left, top, size, depth))
 }
 
 /// One draw of a mesh: what depends on the shader, but not on state or format.

@@ -1,22 +1,50 @@
 use super::Clip;
-use crate::math::Mat4;
+use crate::math::{rolled, sum_of_products, whole, Mat4, Vec3, Vec4};
 
 /// What limits the view in depth, and what depth is made of.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Depth {
-    /// z' is the near distance everywhere: depth comes from w alone.
-    Near {
-        /// The smallest w in view, the near distance less the rounding of the matrix.
-        w_min: i32,
-        /// 65531 x near = numerator 2^-shift, normalised to 2^30..2^31.
-        numerator: u32,
-        shift: i32,
-    },
-    /// z' is a row of the matrix.
-    Row {
-        /// Whether z' < 0 is beyond a far plane.
-        far: bool,
-    },
+pub(crate) struct Depth {
+    /// The smallest w in view: the near distance less the rounding of the matrix where z' is that
+    /// constant, else 1.
+    pub(super) w_min: i32,
+    /// The smallest z in view: 0 where a far plane is, else the least of all.
+    pub(super) z_min: i32,
+    /// 65531 x near = numerator 2^-shift, normalised to 2^30..2^31, where z' is the near distance
+    /// everywhere and depth comes from w alone; 0 where z' is a row of the matrix.
+    pub(super) numerator: u32,
+    pub(super) shift: u32,
+}
+
+impl Depth {
+    /// Depth from a row of the matrix; `far` says whether z' < 0 is beyond a far plane.
+    pub(super) const fn of_row(far: bool) -> Self {
+        Self { w_min: 1, z_min: if far { 0 } else { i32::MIN }, numerator: 0, shift: 0 }
+    }
+
+    /// Depth from w, for a near distance in units of clip space; `None` if it is not above zero.
+    fn of_w(near: f32) -> Option<Self> {
+        // Sign and exponent: what is negative, no number or infinite lies above the range, and zero
+        // below it.
+        let bits = (near * 65531.0).to_bits();
+        let exponent = bits >> 23;
+        if !(30..=254).contains(&exponent) {
+            return None;
+        }
+        // Mantissas may be half a unit off, at positions of up to 32768.
+        let rounding = least(near * (1.0 / 64.0), 3.0 * 16384.0 + 1.0);
+        Some(Self {
+            w_min: whole(near - rounding).max(1),
+            z_min: 0,
+            numerator: (bits | 1 << 23) << 8 >> 1,
+            shift: 157_u32.wrapping_sub(exponent),
+        })
+    }
+
+    /// Whether z' is a row of the matrix.
+    #[inline(always)]
+    pub(super) const fn is_row(&self) -> bool {
+        self.numerator == 0
+    }
 }
 
 /// The matrix from 16-bit positions to clip space, in block-float: sixteen-bit mantissas and
@@ -27,139 +55,92 @@ pub(crate) enum Depth {
 /// most 1/64 pixel on a 320-pixel screen for what is as far away as that.
 ///
 /// # Cost
-/// 32 instructions a vertex on Cortex-M4, 51 on M0+.
+/// 35 instructions a vertex on Cortex-M4.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Transform {
-    rows: [[i16; 3]; 3],
-    offsets: [i32; 3],
-    z_row: [i16; 3],
-    z_offset: i32,
-    pub(crate) depth: Depth,
+    /// Three mantissas and the translation, of x, y, z and w; z's are 0 where depth comes from w.
+    /// In words, which load in pairs.
+    rows: [[i32; 4]; 4],
+    /// Whether depth comes from z.
+    has_z: bool,
 }
 
-/// 2^exponent, for exponents of normal floats.
-fn power_of_two(exponent: i32) -> Option<f32> {
-    let biased = u32::try_from(exponent.checked_add(127)?).ok()?;
-    (1..=254).contains(&biased).then(|| f32::from_bits(biased << 23))
+/// The lesser of two floats that are not negative, by their bits.
+fn least(a: f32, b: f32) -> f32 {
+    f32::from_bits(a.to_bits().min(b.to_bits()))
 }
 
-/// The exponent of a float: 1 <= v / 2^exponent < 2. `None` for zero, subnormals and what is not
-/// finite.
-#[allow(
-    clippy::cast_possible_wrap,
-    reason = "a float cast saturates; the scale keeps mantissas in 16 bits"
-)]
-fn exponent(v: f32) -> Option<i32> {
-    let biased = (v.to_bits() >> 23) & 0xFF;
-    (1..=254).contains(&biased).then(|| biased as i32 - 127)
-}
+/// Where a mesh lies: its scale and its offset (whose fourth component is 1).
+pub(super) type Place = (Vec3, Vec4);
 
-/// The nearest integer; saturates.
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "a float cast saturates; the scale keeps mantissas in 16 bits"
-)]
-fn round(v: f32) -> i32 {
-    (v + if v < 0.0 { -0.5 } else { 0.5 }) as i32
-}
-
-/// The larger of `largest` and of what a row can reach; what is no number is kept, and refused by
-/// [`exponent`].
+/// A row of a matrix in front of which comes the place of a mesh.
+///
+/// Returns what the row can reach, by its bits: what is no number is larger than all.
 #[inline(never)]
-fn reach(row: &[f32; 4], largest: f32) -> f32 {
-    let [a, b, c, d] = row.map(|v| f32::from_bits(v.to_bits() & 0x7FFF_FFFF));
-    let reach = (a + b + c) * 32768.0 + d;
-    if largest >= reach {
-        largest
-    } else {
-        reach
-    }
-}
-
-/// A row as sixteen-bit mantissas and its translation.
-#[inline(never)]
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "a float cast saturates; the scale keeps mantissas in 16 bits"
-)]
-fn integers(row: &[f32; 4], scale: f32) -> ([i16; 3], i32) {
-    let [a, b, c, d] = row.map(|v| round(v * scale));
-    ([a as i16, b as i16, c as i16], d)
+fn place_row(row: &mut [f32; 4], place: &Place, a: f32, b: f32, c: f32, d: f32) -> u32 {
+    let (scale, offset) = place;
+    let d = sum_of_products(a, b, c, d, offset);
+    let (a, b, c) = (a * scale.x, b * scale.y, c * scale.z);
+    *row = [a, b, c, d];
+    ((a.abs() + b.abs() + c.abs()) * 32768.0 + d.abs()).abs().to_bits()
 }
 
 impl Transform {
-    /// The transform of a matrix from positions (-32768..=32767 by axis) to clip space.
+    /// For positions that come in clip space already.
+    pub(super) const NONE: Self = Self { rows: [[0; 4]; 4], has_z: true };
+
+    /// Makes this the transform of positions (-32768..=32767 by axis) of a mesh that lies at `place`
+    /// to clip space by `matrix`.
     ///
-    /// `near` is given where clip z is that constant; `far` says whether z' < 0 is cut off
-    /// otherwise. `None` for a matrix that is not finite, or all zero.
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "a float cast saturates; the scale keeps mantissas in 16 bits"
-    )]
-    pub(crate) fn new(matrix: &Mat4, near: Option<f32>, far: bool) -> Option<Self> {
-        let [x, y, z, w] = matrix.transpose().to_columns();
-        // The largest coordinate that any position can reach, with room for rounding.
-        let mut largest = reach(&x, reach(&y, reach(&w, 0.0)));
-        if near.is_none() {
-            largest = reach(&z, largest);
-        }
-        let scale = power_of_two(29 - exponent(largest * 1.0002)?)?;
-        let depth = match near {
-            None => Depth::Row { far },
-            Some(near) => {
-                let near = near * scale;
-                if near.is_nan() || near <= 0.0 {
-                    return None;
-                }
-                let exponent = exponent(near * 65531.0)?;
-                let numerator = near * 65531.0 * power_of_two(30 - exponent)?;
-                // Mantissas may be half a unit off, at positions of up to 32768.
-                let rounding = (near * (1.0 / 64.0)).min(3.0 * 16384.0 + 1.0);
-                Depth::Near {
-                    w_min: ((near - rounding) as i32).max(1),
-                    numerator: numerator as u32,
-                    shift: 30 - exponent,
-                }
-            }
+    /// `near` is given where clip z is that constant; otherwise z' < 0 is cut off. `None` for a
+    /// matrix that is not finite, or all zero.
+    pub(super) fn set(&mut self, matrix: &Mat4, place: &Place, near: Option<f32>) -> Option<Depth> {
+        let Mat4 { x, y, z, w } = matrix;
+        let mut rows = [[0.0; 4]; 4];
+        let [to_x, to_y, to_z, to_w] = &mut rows;
+        // The largest coordinate that any position can reach.
+        let largest = place_row(to_x, place, x.x, y.x, z.x, w.x)
+            .max(place_row(to_y, place, x.y, y.y, z.y, w.y))
+            .max(place_row(to_w, place, x.w, y.w, z.w, w.w));
+        let largest = match near {
+            Some(_) => largest,
+            None => largest.max(place_row(to_z, place, x.z, y.z, z.z, w.z)),
         };
-        let mut transform = Self { depth, ..Self::identity(far) };
-        for (row, (scaled, offset)) in
-            [x, y, w].iter().zip(transform.rows.iter_mut().zip(&mut transform.offsets))
-        {
-            (*scaled, *offset) = integers(row, scale);
+        // With room for rounding below 2^30.
+        let exponent = (f32::from_bits(largest) * 1.0002).to_bits() >> 23;
+        if !(29..=254).contains(&exponent) {
+            return None;
         }
-        (transform.z_row, transform.z_offset) = integers(&z, scale);
-        Some(transform)
+        let unit = f32::from_bits(283_u32.wrapping_sub(exponent) << 23);
+        self.has_z = near.is_none();
+        let (numbers, values) = (self.rows.as_flattened_mut(), rows.as_flattened());
+        for at in rolled(16) {
+            if let (Some(number), Some(value)) = (numbers.get_mut(at), values.get(at)) {
+                // The nearest.
+                let scaled = value * unit;
+                *number = whole(scaled + 0.5_f32.copysign(scaled));
+            }
+        }
+        match near {
+            None => Some(Depth::of_row(true)),
+            Some(near) => Depth::of_w(near * unit),
+        }
     }
 
-    /// A transform for positions that come in clip space already: depth is made of their z.
-    pub(crate) fn identity(far: bool) -> Self {
-        Self {
-            rows: [[0; 3]; 3],
-            offsets: [0; 3],
-            z_row: [0; 3],
-            z_offset: 0,
-            depth: Depth::Row { far },
-        }
-    }
-
-    /// The clip coordinates of a position; z only where depth is made of it.
-    #[inline(always)]
+    /// The clip coordinates of a position; z is 0 where depth comes from w.
+    ///
+    /// Not inlined: the caller keeps its registers, and there is one copy of this.
+    #[inline(never)]
     pub(crate) fn apply(&self, position: &[i16; 3]) -> Clip {
         let [p, q, r] = position.map(i32::from);
-        let dot = |[a, b, c]: &[i16; 3], offset: i32| {
-            i32::from(*a)
-                .wrapping_mul(p)
-                .wrapping_add(i32::from(*b).wrapping_mul(q))
-                .wrapping_add(i32::from(*c).wrapping_mul(r))
-                .wrapping_add(offset)
+        let dot = |[a, b, c, offset]: &[i32; 4]| {
+            a.wrapping_mul(p)
+                .wrapping_add(b.wrapping_mul(q))
+                .wrapping_add(c.wrapping_mul(r))
+                .wrapping_add(*offset)
         };
-        let [x, y, w] = &self.rows;
-        let [ox, oy, ow] = self.offsets;
-        let z = match self.depth {
-            Depth::Near { .. } => 0,
-            Depth::Row { .. } => dot(&self.z_row, self.z_offset),
-        };
-        Clip { x: dot(x, ox), y: dot(y, oy), z, w: dot(w, ow) }
+        let [x, y, z, w] = &self.rows;
+        let z = if self.has_z { dot(z) } else { 0 };
+        Clip { x: dot(x), y: dot(y), z, w: dot(w) }
     }
 }

@@ -1,12 +1,4 @@
-use crate::math::{Angle, Mat4, Vec3};
-
-/// What the lens is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Lens {
-    Perspective { field_of_view: Angle, near: f32, far: Option<f32> },
-    Orthographic { height: f32, near: f32, far: f32 },
-    Custom(Mat4),
-}
+use crate::math::{Angle, Mat4, Vec3, Vec4};
 
 /// Where the picture is seen from, and through what.
 ///
@@ -20,30 +12,70 @@ enum Lens {
 /// let camera = Camera::perspective(45.0.degrees(), 0.5)
 ///     .look_at(Vec3::new(0.0, 1.0, 4.0), Vec3::ZERO, Vec3::Y);
 /// ```
+///
+/// # Cost
+/// Angles become numbers where the camera is made: at compile time, for one in a `const`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     view: Mat4,
-    lens: Lens,
+    /// From eye space to clip space, but for the aspect.
+    lens: Mat4,
+    /// Half the picture's height at distance 1, or at any without perspective. `None` for a matrix
+    /// that the aspect does not change.
+    half_height: Option<f32>,
+    /// The near distance of a perspective camera.
+    near: Option<f32>,
+    /// Whether clip z is not simply the near distance.
+    has_depth_row: bool,
 }
 
 impl Camera {
     /// A perspective camera at the origin: vertical field of view and distance of the near plane.
     ///
     /// Nothing is too far to be seen. The depth resolution at distance d is d^2 / (65531 near).
+    #[inline]
     pub const fn perspective(field_of_view: Angle, near: f32) -> Self {
-        Self { view: Mat4::identity(), lens: Lens::Perspective { field_of_view, near, far: None } }
+        let half_height = field_of_view.half().tan();
+        Self {
+            near: Some(near),
+            has_depth_row: false,
+            ..Self::through(
+                half_height,
+                Vec4::new(0.0, 0.0, 0.0, near),
+                Vec4::new(0.0, 0.0, -1.0, 0.0),
+            )
+        }
     }
 
     /// A camera without perspective: the height of what it sees, and the distances between which
     /// it sees.
+    #[inline]
     pub const fn orthographic(height: f32, near: f32, far: f32) -> Self {
-        Self { view: Mat4::identity(), lens: Lens::Orthographic { height, near, far } }
+        let length = far - near;
+        Self::through(height * 0.5, Vec4::new(0.0, 0.0, 1.0 / length, far / length), Vec4::W)
     }
 
     /// A camera with a projection matrix of your own: clip z / w must be 1 at the near plane and
     /// 0 at the far one. It is used as it stands, whatever the viewport's aspect.
+    #[inline]
     pub const fn custom(projection: Mat4) -> Self {
-        Self { view: Mat4::identity(), lens: Lens::Custom(projection) }
+        Self {
+            view: Mat4::IDENTITY,
+            lens: projection,
+            half_height: None,
+            near: None,
+            has_depth_row: true,
+        }
+    }
+
+    /// A camera of half the picture's height and of the matrix' rows for z and w.
+    #[inline]
+    const fn through(half_height: f32, z: Vec4, w: Vec4) -> Self {
+        let y = Vec4::new(0.0, 1.0 / half_height, 0.0, 0.0);
+        Self {
+            half_height: Some(half_height),
+            ..Self::custom(Mat4::from_rows(Vec4::ZERO, y, z, w))
+        }
     }
 
     /// Cuts off what is farther than `far`. Changes a perspective camera only.
@@ -51,10 +83,14 @@ impl Camera {
     /// # Cost
     /// A fourth row of the matrix: 3 multiplications more a vertex, and depth that runs from near
     /// to far instead of to infinity.
+    #[inline]
     #[must_use]
     pub const fn far(mut self, distance: f32) -> Self {
-        if let Lens::Perspective { field_of_view, near, .. } = self.lens {
-            self.lens = Lens::Perspective { field_of_view, near, far: Some(distance) };
+        if let Some(near) = self.near {
+            // z' = a z + b with z'/w = 1 at z = -near and 0 at z = -far.
+            let a = near / (distance - near);
+            (self.lens.z.z, self.lens.w.z) = (a, distance * a);
+            self.has_depth_row = true;
         }
         self
     }
@@ -79,24 +115,22 @@ impl Camera {
     }
 
     /// From eye space to clip space, for a viewport of this width by height.
-    pub fn projection(&self, aspect: f32) -> Mat4 {
-        match self.lens {
-            Lens::Perspective { field_of_view, near, far } => {
-                Mat4::perspective(field_of_view, aspect, near, far)
-            }
-            Lens::Orthographic { height, near, far } => {
-                let (y, x) = (height * 0.5, height * 0.5 * aspect);
-                Mat4::orthographic(-x, x, -y, y, near, far)
-            }
-            Lens::Custom(projection) => projection,
+    #[inline]
+    pub const fn projection(&self, aspect: f32) -> Mat4 {
+        let mut projection = self.lens;
+        if let Some(half_height) = self.half_height {
+            projection.x.x = 1.0 / (half_height * aspect);
         }
+        projection
     }
 
     /// The near distance if clip z is that constant: a perspective camera without far plane.
-    pub(crate) fn constant_near(&self) -> Option<f32> {
-        match self.lens {
-            Lens::Perspective { near, far: None, .. } => Some(near),
-            _ => None,
+    #[inline]
+    pub(crate) const fn constant_near(&self) -> Option<f32> {
+        if self.has_depth_row {
+            None
+        } else {
+            self.near
         }
     }
 }

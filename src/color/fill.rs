@@ -7,18 +7,27 @@ pub(crate) fn fill_words<T: bytemuck::Pod>(pixels: &mut [T], raw: T, word: u32) 
     for pixel in head {
         *pixel = raw;
     }
-    let mut chunks = words.chunks_exact_mut(16);
-    for chunk in &mut chunks {
-        for one in chunk {
-            *one = word;
+    // What follows a loop's turn keeps the compiler from unrolling it further, and the last one
+    // from being a call of memset, which costs more than a few stores.
+    if let Some(at) = words.len().checked_sub(16) {
+        // The last sixteen, as from a place that is not known: some are stored again below.
+        let last = words.get_mut(core::hint::black_box(at)..).and_then(|w| w.first_chunk_mut());
+        if let Some(last) = last {
+            *last = [word; 16];
         }
-        // Sixteen stores are enough in a row: more would cost what leads up to them.
-        core::hint::black_box(());
-    }
-    for one in chunks.into_remainder() {
-        *one = word;
-        // Keeps the short rest a loop: a call of memset costs more than its stores.
-        core::hint::black_box(());
+        let (chunks, rest) = words.as_chunks_mut::<32>();
+        for chunk in chunks {
+            *chunk = [word; 32];
+            core::hint::black_box(());
+        }
+        if let Some(chunk) = rest.first_chunk_mut() {
+            *chunk = [word; 16];
+        }
+    } else {
+        for one in words {
+            *one = word;
+            core::hint::black_box(());
+        }
     }
     for pixel in tail {
         *pixel = raw;
@@ -32,8 +41,8 @@ mod tests {
     #[test]
     fn every_length_and_alignment_is_filled_and_nothing_else() {
         for start in 0..4 {
-            for length in 0..40 {
-                let mut pixels = [7u16; 48];
+            for length in 0..100 {
+                let mut pixels = [7u16; 104];
                 if let Some(part) = pixels.get_mut(start..start + length) {
                     fill_words(part, 0xABCD, 0xABCD_ABCD);
                 }

@@ -3,30 +3,35 @@ use crate::math::{wide_product, BY_HALVES};
 
 /// An edge of a short triangle, walked by one addition a row: exact all the same.
 ///
-/// At the centre of a row the edge is crossed at a multiple of 1 / (16 dy) of a pixel, which is
-/// 2^-12 or more while the triangle is at most 16 pixels high. With 19 fraction bits the slope is
-/// off by less than 2^-19 a row, so that after 16 rows x is off by less than 2^-14.9: less than
-/// half of what lies between two possible crossings. Adding a little less than one
-/// ([`ROUND_UP`]) and cutting off is then the exact ceil(crossing - 1/2).
+/// At the centre of a row the edge is crossed at a multiple of 1 / (16 dy) of a pixel, which is 36
+/// units of 2^-17 or more while the triangle is at most 14 pixels high. The slope is off by at most
+/// 9/8 of a unit a row, so that after 14 rows and a cut x is off by less than 17: less than half of
+/// what lies between two possible crossings. Adding a little less than one ([`ROUND_UP`]) and
+/// cutting off is then the exact ceil(crossing - 1/2).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortEdge {
-    /// Columns from the walk's origin with 19 fraction bits, with [`ROUND_UP`] in it.
+    /// Columns with 17 fraction bits, with [`ROUND_UP`] in it.
     x: i32,
     step: i32,
 }
 
 /// Fraction bits of a column.
-const FRACTION: u32 = 19;
-/// Tallest triangle, in subpixels: 16 pixels hold 16 row centres.
-pub(super) const TALLEST: i32 = 256;
-/// Widest triangle, in subpixels, so that slopes fit: 128 pixels.
+const FRACTION: u32 = 17;
+/// Tallest triangle, in subpixels: 14 pixels hold 14 row centres.
+pub(super) const TALLEST: i32 = 14 * 16;
+/// Widest triangle, in subpixels: 128 pixels.
 pub(super) const WIDEST: i32 = 1 << 11;
+/// Half of the least distance between crossings.
+const HALF: i32 = (1 << FRACTION) / (16 * TALLEST) / 2;
 /// One less half of the least distance between crossings.
-const ROUND_UP: i32 = (1 << FRACTION) - (1 << (FRACTION - 13));
+const ROUND_UP: i32 = (1 << FRACTION) - HALF;
 
-// A row's slope is off by less than a unit, 16 times, and the start by one more.
-const _: () = assert!(17 < 1 << (FRACTION - 13), "less than half the distance of crossings");
+// Eighths of a unit: a division that rounds to zero is off by less than 8 of them a row, a product
+// with an inverse by less than 8 and a part of what the inverse is off; the cut by less than 8.
+const _: () = assert!(WIDEST <= 1 << (31 - FRACTION - 3), "an inverse costs an eighth at most");
+const _: () = assert!(TALLEST / 16 * 9 + 8 < HALF * 8, "less than half the distance of crossings");
 const _: () = assert!((WIDEST as i64) << FRACTION <= 1 << 30, "slopes fit");
+const _: () = assert!(2 * super::GUARD < 1 << (31 - FRACTION), "columns of the square fit");
 
 /// 2^31 / dy, for cores that do not divide.
 #[allow(clippy::cast_possible_truncation, reason = "in range as the assertions say")]
@@ -42,7 +47,7 @@ static INVERSES: [u32; TALLEST as usize + 1] = {
     inverses
 };
 
-/// dx / dy with 19 fraction bits, off by less than one unit.
+/// dx / dy with 17 fraction bits, off by at most 9/8 of a unit.
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation, reason = "in range as the assertions say")]
 fn slope(dx: i32, dy: i32) -> i32 {
@@ -56,22 +61,22 @@ fn slope(dx: i32, dy: i32) -> i32 {
 
 impl ShortEdge {
     /// The walk down from `a` to `b` (`b` strictly below), beginning at row `y`, whose centre is
-    /// between them; columns count from `origin`.
+    /// between them.
     #[inline(always)]
-    pub(super) fn new(a: Point, b: Point, y: i32, origin: i32) -> Self {
+    pub(super) fn new(a: Point, b: Point, y: i32) -> Self {
         let dx = b.x.wrapping_sub(a.x);
         let dy = b.y.wrapping_sub(a.y);
         let down = y.wrapping_mul(16).wrapping_add(8).wrapping_sub(a.y);
         let step = slope(dx, dy);
-        let from = a.x.wrapping_sub(8).wrapping_sub(origin.wrapping_mul(16));
         // No more than dx in all, since `down` is no more than dy.
         let along = step.wrapping_mul(down) >> 4;
-        Self { x: from.wrapping_mul(1 << 15).wrapping_add(along).wrapping_add(ROUND_UP), step }
+        let from = a.x.wrapping_sub(8).wrapping_mul(1 << (FRACTION - 4));
+        Self { x: from.wrapping_add(along).wrapping_add(ROUND_UP), step }
     }
 
-    /// The first column from the origin whose centre is not left of the edge.
+    /// The first column whose centre is not left of the edge.
     #[inline(always)]
-    pub(super) fn column(&self) -> i32 {
+    pub(super) const fn column(&self) -> i32 {
         self.x >> FRACTION
     }
 

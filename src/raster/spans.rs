@@ -32,33 +32,33 @@ const fn first_center(bits: i32) -> i32 {
 
 /// An edge that gives one column a row.
 trait Edge {
-    /// The first column whose centre is not left of the edge, from `origin`.
-    fn column(&self, origin: i32) -> i32;
+    /// The first column whose centre is not left of the edge.
+    fn column(&self) -> i32;
     /// Goes one row down.
     fn step(&mut self);
 }
 
 impl Edge for ShortEdge {
     #[inline(always)]
-    fn column(&self, origin: i32) -> i32 {
-        origin.wrapping_add(ShortEdge::column(self))
+    fn column(&self) -> i32 {
+        Self::column(self)
     }
 
     #[inline(always)]
     fn step(&mut self) {
-        ShortEdge::step(self);
+        Self::step(self);
     }
 }
 
 impl Edge for LongEdge {
     #[inline(always)]
-    fn column(&self, _origin: i32) -> i32 {
-        LongEdge::column(self)
+    fn column(&self) -> i32 {
+        Self::column(self)
     }
 
     #[inline(always)]
     fn step(&mut self) {
-        LongEdge::step(self);
+        Self::step(self);
     }
 }
 
@@ -68,13 +68,12 @@ impl Edge for LongEdge {
 fn take_rows<E: Edge>(
     left: &mut E,
     right: &mut E,
-    origin: i32,
     mut y: i32,
     end: i32,
     places: &mut core::slice::IterMut<'_, Span>,
 ) {
     while y < end {
-        let (first, behind) = (left.column(origin), right.column(origin));
+        let (first, behind) = (left.column(), right.column());
         if first < behind {
             if let Some(place) = places.next() {
                 *place = Span { y, first, left: first, right: behind };
@@ -146,19 +145,17 @@ impl Descent {
     /// All spans of a short triangle.
     #[inline(always)]
     fn take_short(&self, batch: &mut SpanBatch) {
-        let origin = self.high.x >> 4;
-        let edge = |a, b, y| ShortEdge::new(a, b, y, origin);
-        let mut long = edge(self.high, self.low, self.start);
+        let mut long = ShortEdge::new(self.high, self.low, self.start);
         let mut places = batch.spans.iter_mut();
         let (mut from, mut to, mut y, mut stop) = (self.high, self.middle, self.start, self.turn);
         if y >= stop {
             (from, to, stop) = (self.middle, self.low, self.end);
         }
         loop {
-            let short = edge(from, to, y);
+            let short = ShortEdge::new(from, to, y);
             let (mut left, mut right) =
                 if self.turns_right { (long, short) } else { (short, long) };
-            take_rows(&mut left, &mut right, origin, y, stop, &mut places);
+            take_rows(&mut left, &mut right, y, stop, &mut places);
             if stop >= self.end {
                 break;
             }
@@ -201,7 +198,7 @@ impl Spans {
             // Rows down to the turn, or as many as fit. Copies of the edges stay in registers.
             let end = self.turn.min(self.y.wrapping_add(places.len() as i32));
             let (mut left, mut right) = (self.left, self.right);
-            take_rows(&mut left, &mut right, 0, self.y, end, &mut places);
+            take_rows(&mut left, &mut right, self.y, end, &mut places);
             (self.left, self.right, self.y) = (left, right, end);
             if end >= self.turn {
                 if end >= self.end {

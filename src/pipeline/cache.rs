@@ -97,23 +97,24 @@ impl Entry {
 }
 
 impl<C: Copy> CacheView<'_, C> {
-    /// A vertex's attributes, from the cache or else made and kept.
+    /// A vertex's attributes, where they are kept.
     #[inline(always)]
-    pub(super) fn corner(&mut self, index: u32, shade: impl FnOnce() -> C) -> C {
+    pub(super) fn corner(&self, index: u32) -> Option<C> {
         let slot = slot(index, self.entries.len());
-        let (Some(entry), Some(kept)) = (self.entries.get_mut(slot), self.corners.get_mut(slot))
-        else {
-            return shade();
-        };
-        if entry.key == index.wrapping_add(1) | SHADED {
-            return *kept;
+        let (entry, corner) = (self.entries.get(slot)?, self.corners.get(slot)?);
+        (entry.key == index.wrapping_add(1) | SHADED).then_some(*corner)
+    }
+
+    /// Keeps a vertex's attributes, unless another vertex of the same triangle took its slot.
+    #[inline(always)]
+    pub(super) fn keep_corner(&mut self, index: u32, corner: C) {
+        let slot = slot(index, self.entries.len());
+        if let (Some(entry), Some(place)) = (self.entries.get_mut(slot), self.corners.get_mut(slot))
+        {
+            if entry.holds(index) {
+                entry.key |= SHADED;
+                *place = corner;
+            }
         }
-        let corner = shade();
-        // Another vertex of the same triangle may have taken the slot.
-        if entry.holds(index) {
-            entry.key |= SHADED;
-            *kept = corner;
-        }
-        corner
     }
 }

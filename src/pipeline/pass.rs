@@ -305,15 +305,11 @@ impl<H: Shader> Draw<'_, H> {
         face: &Face,
         cache: &mut CacheView<'_, Corner<H::Varying>>,
     ) -> Option<[Corner<H::Varying>; 3]> {
-        let shade = |vertex: &H::Vertex| self.shader.vertex(self.prepared, vertex);
         if self.mesh.by_face {
-            let corner = shade(self.mesh.attributes.get(face.number as usize)?);
-            return Some([corner; 3]);
+            let attributes = self.mesh.attributes.get(face.number as usize)?;
+            return Some([self.shader.vertex(self.prepared, attributes); 3]);
         }
-        let mut corner = |index: u32| {
-            let vertex = self.mesh.attributes.get(index as usize)?;
-            Some(cache.corner(index, || shade(vertex)))
-        };
+        let mut corner = |index: u32| cache.corner(index).or_else(|| self.shade(index, cache));
         let [a, b, c] = face.vertices;
         let provoking = corner(a)?;
         if H::Varying::INTERPOLATED {
@@ -321,5 +317,18 @@ impl<H: Shader> Draw<'_, H> {
         } else {
             Some([provoking; 3])
         }
+    }
+
+    /// Makes a vertex's attributes and keeps them. Apart, so that it is there once for a triangle's
+    /// corners.
+    #[inline(never)]
+    fn shade(
+        &self,
+        index: u32,
+        cache: &mut CacheView<'_, Corner<H::Varying>>,
+    ) -> Option<Corner<H::Varying>> {
+        let corner = self.shader.vertex(self.prepared, self.mesh.attributes.get(index as usize)?);
+        cache.keep_corner(index, corner);
+        Some(corner)
     }
 }

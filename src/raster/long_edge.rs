@@ -30,7 +30,7 @@ const _: () = assert!(LONGEST <= (i64::MAX >> FRACTION) / 2, "products fit");
 
 /// Bits of the fraction that one division gives.
 const DIGIT: u32 = 12;
-const _: () = assert!(LONGEST << DIGIT < 1 << 32 && FRACTION % DIGIT == 0, "digits fit");
+const _: () = assert!(LONGEST << DIGIT < 1 << 32 && FRACTION.is_multiple_of(DIGIT), "digits fit");
 
 /// Whether the core divides in hardware. ARMv6-M does not; there the reciprocal's table serves.
 const HAS_DIVIDE: bool = !BY_HALVES;

@@ -50,7 +50,8 @@ impl Varying for FlatColor {
 pub(super) fn mix_color([a, b, c]: [&Color; 3], u: i32, v: i32) -> Color {
     // The corners' channels lie half a step inside of their range, and so does what is between.
     let channel = |of: fn(&Color) -> u32| {
-        let mixed = mix_word(of(a) as i32, of(b) as i32, of(c) as i32, u, v);
+        let [a, b, c] = [a, b, c].map(|corner| of(corner).cast_signed());
+        let mixed = mix_word(a, b, c, u, v);
         mixed.clamp(rounded(0).into(), rounded(Rgb16::FULL).into()) as u32
     };
     let (red, blue) = (channel(|c| c.blue_red & 0xFFFF), channel(|c| c.blue_red >> 16));

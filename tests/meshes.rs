@@ -14,9 +14,7 @@ mod support;
 
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::raster::ScreenVertex;
-use microraster::{
-    Camera, Color, Flat, Frame, Indices, Mesh, Pass, Rgb, Rgba8888, ScreenPass, Size, Stats,
-};
+use microraster::{Camera, Color, Flat, Frame, Mesh, Pass, Rgb, Rgba8888, ScreenPass, Size, Stats};
 use support::{covers, Random};
 
 const SIZE: Size = Size::new(48, 40);
@@ -173,7 +171,7 @@ fn floors_through_the_near_plane_and_the_guard_box_have_no_holes() {
         let colors = vec![Rgb::WHITE; positions.len()];
         let reach = [20.0, 200.0][i % 2];
         let mesh = Mesh::new(&positions, &colors)
-            .indexed(Indices::U16(&indices))
+            .indexed(&indices)
             .placed(Vec3::splat(reach / 32_000.0), Vec3::ZERO);
         let mut number = |from: f64, to: f64| (from + (to - from) * random.unit()) as f32;
         // Above the floor's middle, looking down or ahead.

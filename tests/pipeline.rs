@@ -14,8 +14,8 @@ use microraster::models::TEAPOT;
 use microraster::raster::AnyTraversal;
 use microraster::{
     AnyDepth, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, FlatColor, Frame, FrameError,
-    Gouraud, Indices, Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Shader,
-    Size, SmoothColor, Stats, VertexCache,
+    Gouraud, Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Shader, Size,
+    SmoothColor, Stats, Topology, VertexCache,
 };
 use support::Random;
 
@@ -116,7 +116,12 @@ fn statistics_sum_up_and_ordinary_scenes_skip_nothing() {
 }
 
 /// Draws a triangle with a mesh matrix; what was counted.
-fn count(model: &Mat4, mesh: &Mesh<'_, Rgb>, camera: &Camera, viewport: Option<Rect>) -> Stats {
+fn count(
+    model: &Mat4,
+    mesh: &Mesh<'_, Rgb, impl Topology>,
+    camera: &Camera,
+    viewport: Option<Rect>,
+) -> Stats {
     let mut stats = Stats::default();
     teapot(|frame| {
         let mut pass = Pass::new(camera).depth(Less).count(&mut stats);
@@ -139,7 +144,7 @@ fn what_makes_no_sense_is_skipped_and_counted() {
     assert_eq!((good.triangles, good.drawn, good.skipped), (1, 1, 0), "a triangle");
     // Indices and attributes that are not there.
     let beyond: &[u16] = &[0, 1, 3, 0, 1, 2, 65_535, 0, 0, 1];
-    let stats = count(&Mat4::identity(), &triangle.indexed(Indices::U16(beyond)), &camera, None);
+    let stats = count(&Mat4::identity(), &triangle.indexed(beyond), &camera, None);
     assert_eq!((stats.triangles, stats.drawn, stats.skipped), (3, 1, 2), "indices");
     let stats = count(&Mat4::identity(), &Mesh::new(&CORNERS, &COLORS[..2]), &camera, None);
     assert_eq!((stats.triangles, stats.skipped), (1, 1), "a colour is missing");

@@ -14,7 +14,7 @@ use microraster::math::{Angle, Mat4, Vec3};
 use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_POSITIONS};
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Camera, Cull, DepthBuffer, Flat, Frame, FrameError, Gouraud, Indices, Lambert, Less, Light,
+    Camera, Cull, DepthBuffer, Flat, Frame, FrameError, Gouraud, IndexedList, Lambert, Less, Light,
     Mesh, Normal, Pass, Rgb, Rgb565, ScreenPass, Shader, Size, Stats,
 };
 
@@ -75,11 +75,11 @@ static QUAD_COLORS: [Rgb; 4] = [Rgb::RED, Rgb::GREEN, Rgb::BLUE, Rgb::WHITE];
 static QUAD_INDICES: [u16; 6] = [0, 1, 2, 0, 2, 3];
 
 /// A quad 0.2 % larger than the screen, at z = -2.
-fn quad() -> Mesh<'static, Rgb> {
+fn quad() -> Mesh<'static, Rgb, IndexedList<'static, u16>> {
     // Half the height of the screen at distance 2: 2 tan(22.5 degrees).
     let half = 2.0 * 0.414_213_56 * 1.002;
     Mesh::new(&QUAD, &QUAD_COLORS)
-        .indexed(Indices::U16(&QUAD_INDICES))
+        .indexed(&QUAD_INDICES)
         .placed(Vec3::new(half * 4.0 / 3.0, half, 1.0), Vec3::new(0.0, 0.0, -2.0))
 }
 
@@ -151,10 +151,8 @@ fn s1<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
     if let Ok(mut frame) = frame(color, depth) {
         let camera = camera();
         let half = 2.0 * 0.414_213_56;
-        let mesh = Mesh::new(&grid::POSITIONS, &grid::COLORS)
-            .by_face()
-            .indexed(Indices::U16(&grid::INDICES))
-            .placed(
+        let mesh =
+            Mesh::new(&grid::POSITIONS, &grid::COLORS).by_face().indexed(&grid::INDICES).placed(
                 Vec3::new(half * 4.0 / 3.0, half, 1.0) * (1.0 / grid::REACH),
                 Vec3::new(0.0, 0.0, -2.0),
             );
@@ -198,10 +196,13 @@ fn s1_raster<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Fac
     facts(grid::TRIANGLES as u32)
 }
 
+/// An indexed mesh with normals.
+type Lit<'a> = Mesh<'a, Normal, IndexedList<'a, u16>>;
+
 /// A lit mesh, centred at z = -3.0178 and turned.
 #[derive(Clone, Copy)]
 struct Turning<'a> {
-    mesh: Mesh<'a, Normal>,
+    mesh: Lit<'a>,
     frame: u32,
 }
 
@@ -220,7 +221,7 @@ impl Turning<'_> {
             measured!(probe, Pass::new(&camera).depth(Less).cull(Cull::Back), |pass| pass
                 .draw_cached(&mut frame, &model, &self.mesh, shader, cache));
         }
-        facts(u32::try_from(self.mesh.triangles()).unwrap_or(u32::MAX))
+        facts(self.mesh.triangles())
     }
 }
 
@@ -230,11 +231,7 @@ fn light() -> Lambert<1> {
 }
 
 /// A mesh centred on its box and scaled to a box height of 2.
-fn fitted<'a>(
-    positions: &'a [[i16; 3]],
-    normals: &'a [Normal],
-    indices: &'a [u16],
-) -> Mesh<'a, Normal> {
+fn fitted<'a>(positions: &'a [[i16; 3]], normals: &'a [Normal], indices: &'a [u16]) -> Lit<'a> {
     let (mut low, mut high) = ([i16::MAX; 3], [i16::MIN; 3]);
     for position in positions {
         for axis in 0..3 {
@@ -245,17 +242,17 @@ fn fitted<'a>(
     let middle = |axis: usize| (f32::from(low[axis]) + f32::from(high[axis])) * 0.5;
     let scale = 2.0 / (f32::from(high[1]) - f32::from(low[1]));
     Mesh::new(positions, normals)
-        .indexed(Indices::U16(indices))
+        .indexed(indices)
         .placed(Vec3::new(scale, scale, scale), Vec3::new(middle(0), middle(1), middle(2)) * -scale)
 }
 
-fn bunny<'a>(stage: &Stage<'a>) -> Mesh<'a, Normal> {
-    stage
-        .bunny
-        .map_or(Mesh::new(&[], &[]), |model| fitted(model.positions, model.normals, model.indices))
+fn bunny<'a>(stage: &Stage<'a>) -> Lit<'a> {
+    stage.bunny.map_or(Mesh::new(&[], &[]).indexed(&[]), |model| {
+        fitted(model.positions, model.normals, model.indices)
+    })
 }
 
-fn teapot() -> Mesh<'static, Normal> {
+fn teapot() -> Lit<'static> {
     fitted(&TEAPOT_POSITIONS, &TEAPOT_NORMALS, &TEAPOT_INDICES)
 }
 

@@ -4,7 +4,7 @@ use std::vec::Vec;
 use super::{Corner, Model};
 use crate::color::Rgb;
 use crate::math::Vec3;
-use crate::scene::{normal, Indices, Mesh, Normal};
+use crate::scene::{normal, IndexedList, Mesh, Normal};
 
 /// A part of a model in the form that firmware holds in flash: 16-bit positions, 8-bit normals,
 /// 16-bit indices, one material.
@@ -99,9 +99,9 @@ impl MeshData {
     }
 
     /// The part as a mesh.
-    pub fn mesh(&self) -> Mesh<'_, Normal> {
+    pub fn mesh(&self) -> Mesh<'_, Normal, IndexedList<'_, u16>> {
         let mesh = Mesh::new(&self.positions, &self.normals)
-            .indexed(Indices::U16(&self.indices))
+            .indexed(&self.indices)
             .placed(Vec3::splat(self.scale), self.offset);
         if self.by_face {
             mesh.by_face()
@@ -126,8 +126,8 @@ mod tests {
         let model = Model::teapot(4);
         for by_face in [false, true] {
             let parts = MeshData::of_model(&model, by_face);
-            let triangles: usize = parts.iter().map(|part| part.mesh().triangles()).sum();
-            assert_eq!(triangles, model.triangle_count(), "all triangles");
+            let triangles: u32 = parts.iter().map(|part| part.mesh().triangles()).sum();
+            assert_eq!(triangles as usize, model.triangle_count(), "all triangles");
             let largest = parts.iter().flat_map(|part| part.positions.iter().flatten());
             let largest = largest.map(|v| v.unsigned_abs()).max();
             assert_eq!(largest, Some(32_767), "the longest side uses the whole range");

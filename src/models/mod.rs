@@ -22,7 +22,7 @@ mod teapot;
 mod teapot_tests;
 
 use crate::math::Vec3;
-use crate::scene::{Indices, Mesh, Normal};
+use crate::scene::{IndexedList, Mesh, Normal};
 pub use teapot::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_OFFSET, TEAPOT_POSITIONS, TEAPOT_SCALE};
 
 /// The teapot as a mesh: normals by vertex, y up, centred on its box, 3.15 high.
@@ -32,6 +32,6 @@ pub use teapot::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_OFFSET, TEAPOT_POSITIONS
 ///
 /// assert_eq!(TEAPOT.triangles(), 992);
 /// ```
-pub static TEAPOT: Mesh<Normal> = Mesh::new(&TEAPOT_POSITIONS, &TEAPOT_NORMALS)
-    .indexed(Indices::U16(&TEAPOT_INDICES))
+pub static TEAPOT: Mesh<Normal, IndexedList<u16>> = Mesh::new(&TEAPOT_POSITIONS, &TEAPOT_NORMALS)
+    .indexed(&TEAPOT_INDICES)
     .placed(Vec3::splat(TEAPOT_SCALE), Vec3::ZERO);

@@ -6,7 +6,7 @@ use super::transform::Transform;
 use super::{Clip, CulledWindings};
 use crate::frame::Rect;
 use crate::raster::{area_of_sides, Triangle};
-use crate::scene::Indices;
+use crate::scene::Topology;
 use crate::shade::{Counter, Event};
 
 /// Where positions in clip space come from.
@@ -57,8 +57,8 @@ impl Face {
 
 /// Goes through a mesh's triangles, leaves out what cannot be seen, clips, and hands out the rest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Assembly<'a> {
-    pub(super) indices: Triples<'a>,
+pub(super) struct Assembly<T> {
+    pub(super) topology: T,
     pub(super) cursor: u32,
     pub(super) mapping: Mapping,
     /// What is drawn of the picture.
@@ -75,39 +75,7 @@ fn keep<P: Positions>(entry: &mut Entry, index: u32, positions: &P, mapping: &Ma
     entry.keep(index, vertex);
 }
 
-/// A mesh's indices in threes.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Triples<'a> {
-    Sequential(u32),
-    U8(&'a [[u8; 3]]),
-    U16(&'a [[u16; 3]]),
-}
-
-impl<'a> Triples<'a> {
-    /// Those of so many triangles; what is left over makes none.
-    pub(super) fn new(indices: Indices<'a>, triangles: u32) -> Self {
-        match indices {
-            Indices::Sequential => Self::Sequential(triangles),
-            Indices::U8(indices) => Self::U8(indices.as_chunks().0),
-            Indices::U16(indices) => Self::U16(indices.as_chunks().0),
-        }
-    }
-
-    /// The vertices of a triangle; `None` behind the last.
-    #[inline(always)]
-    fn get(&self, number: u32) -> Option<[u32; 3]> {
-        match self {
-            Self::Sequential(triangles) => (number < *triangles).then(|| {
-                let first = number.wrapping_mul(3);
-                [first, first.wrapping_add(1), first.wrapping_add(2)]
-            }),
-            Self::U8(triples) => triples.get(number as usize).map(|three| three.map(u32::from)),
-            Self::U16(triples) => triples.get(number as usize).map(|three| three.map(u32::from)),
-        }
-    }
-}
-
-impl Assembly<'_> {
+impl<T: Topology> Assembly<T> {
     /// The next triangle that may be seen; whether there is one.
     ///
     /// # Cost
@@ -127,7 +95,7 @@ impl Assembly<'_> {
             counter.event(if face.covered { Event::Drawn } else { Event::Outside });
             face.clipped = false;
         }
-        while let Some(vertices) = self.indices.get(self.cursor) {
+        while let Some(vertices) = self.topology.triangle(self.cursor) {
             let number = self.cursor;
             self.cursor = number.wrapping_add(1);
             counter.event(Event::Triangle);

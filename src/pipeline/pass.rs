@@ -1,4 +1,4 @@
-use super::assembly::{Assembly, Face, MeshPositions, Positions, Triples};
+use super::assembly::{Assembly, Face, MeshPositions, Positions};
 use super::cache::CacheView;
 use super::clipper::Fan;
 use super::fill::{Access, Fill, Walk};
@@ -9,7 +9,7 @@ use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies, MAX_SIDE};
 use crate::math::Mat4;
 use crate::raster::{SpanBatch, Traversal};
-use crate::scene::{Camera, Mesh};
+use crate::scene::{Camera, Mesh, Topology, Vertices};
 use crate::shade::{
     Corner, Counter, Counting, DepthTest, DrawContext, Event, Shader, State, States, Stats, Varying,
 };
@@ -119,52 +119,54 @@ impl<S: State> Pass<'_, S> {
     ///
     /// Vertices that triangles share are transformed once while they are among the 32 newest by
     /// slot; see [`draw_cached`](Self::draw_cached) for more.
-    pub fn draw<H, F, D>(
+    pub fn draw<H, F, D, T>(
         &mut self,
         frame: &mut Frame<'_, F, D>,
         model: &Mat4,
-        mesh: &Mesh<'_, H::Vertex>,
+        mesh: &Mesh<'_, H::Vertex, T>,
         shader: &H,
     ) where
         H: Shader,
         F: Format,
         D: Supplies<Access<S>>,
+        T: Topology,
     {
         let mut cache = VertexCache::<Corner<H::Varying>, 32>::new();
         self.draw_cached(frame, model, mesh, shader, &mut cache);
     }
 
     /// Draws a mesh with a vertex cache of the caller's.
-    pub fn draw_cached<H, F, D, const N: usize>(
+    pub fn draw_cached<H, F, D, T, const N: usize>(
         &mut self,
         frame: &mut Frame<'_, F, D>,
         model: &Mat4,
-        mesh: &Mesh<'_, H::Vertex>,
+        mesh: &Mesh<'_, H::Vertex, T>,
         shader: &H,
         cache: &mut VertexCache<Corner<H::Varying>, N>,
     ) where
         H: Shader,
         F: Format,
         D: Supplies<Access<S>>,
+        T: Topology,
     {
         let viewport = self.viewport.unwrap_or(Rect::from_size(frame.picture()));
-        let triangles = u32::try_from(mesh.triangles()).unwrap_or(u32::MAX);
+        let vertices = mesh.vertices();
         let near = self.camera.constant_near();
-        let (scale, offset) = mesh.place();
+        let (scale, offset) = vertices.place();
         let place = (scale, offset.extend(1.0));
         let mut transform = Transform::NONE;
         let placed = (!H::OWN_POSITIONS).then_some(&mut transform);
         let mapping = prepare(self.camera, near, model, &place, viewport, placed);
         let Some(mapping) = mapping else {
             let (_, counter) = self.state.parts();
-            for _ in 0..triangles {
+            for _ in 0..mesh.triangles() {
                 counter.event(Event::Triangle);
                 counter.event(Event::Skipped);
             }
             return;
         };
         let assembly = Assembly {
-            indices: Triples::new(mesh.indices, triangles),
+            topology: mesh.topology,
             cursor: 0,
             mapping,
             area: frame.scissor().intersection(viewport),
@@ -179,11 +181,11 @@ impl<S: State> Pass<'_, S> {
             projection: self.camera.projection(aspect(size)),
             viewport: size,
         };
-        let draw = Draw { mesh, shader, prepared: &shader.prepare(&context) };
+        let draw = Draw { vertices, shader, prepared: &shader.prepare(&context) };
         if H::OWN_POSITIONS {
             draw.run(&draw, assembly, frame, &mut self.state, cache.start());
         } else {
-            let positions = MeshPositions { transform: &transform, positions: mesh.positions };
+            let positions = MeshPositions { transform: &transform, positions: vertices.positions };
             draw.run(&positions, assembly, frame, &mut self.state, cache.start());
         }
     }
@@ -232,29 +234,30 @@ fn prepare(
 /// One draw of a mesh: what depends on the shader, but not on state or format.
 #[derive(Debug)]
 struct Draw<'a, H: Shader> {
-    mesh: &'a Mesh<'a, H::Vertex>,
+    vertices: &'a Vertices<'a, H::Vertex>,
     shader: &'a H,
     prepared: &'a H::Prepared,
 }
 
 impl<H: Shader> Positions for Draw<'_, H> {
     fn clip(&self, index: u32) -> Option<Clip> {
-        let vertex = self.mesh.attributes.get(index as usize)?;
+        let vertex = self.vertices.attributes.get(index as usize)?;
         self.shader.position(self.prepared, vertex)
     }
 }
 
 impl<H: Shader> Draw<'_, H> {
     #[inline(always)]
-    fn run<P, S, F, D>(
+    fn run<P, T, S, F, D>(
         &self,
         positions: &P,
-        mut assembly: Assembly<'_>,
+        mut assembly: Assembly<T>,
         frame: &mut Frame<'_, F, D>,
         state: &mut S,
         mut cache: CacheView<'_, Corner<H::Varying>>,
     ) where
         P: Positions,
+        T: Topology,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,
@@ -305,8 +308,8 @@ impl<H: Shader> Draw<'_, H> {
         face: &Face,
         cache: &mut CacheView<'_, Corner<H::Varying>>,
     ) -> Option<[Corner<H::Varying>; 3]> {
-        if self.mesh.by_face {
-            let attributes = self.mesh.attributes.get(face.number as usize)?;
+        if self.vertices.by_face {
+            let attributes = self.vertices.attributes.get(face.number as usize)?;
             return Some([self.shader.vertex(self.prepared, attributes); 3]);
         }
         let mut corner = |index: u32| cache.corner(index).or_else(|| self.shade(index, cache));
@@ -327,7 +330,8 @@ impl<H: Shader> Draw<'_, H> {
         index: u32,
         cache: &mut CacheView<'_, Corner<H::Varying>>,
     ) -> Option<Corner<H::Varying>> {
-        let corner = self.shader.vertex(self.prepared, self.mesh.attributes.get(index as usize)?);
+        let corner =
+            self.shader.vertex(self.prepared, self.vertices.attributes.get(index as usize)?);
         cache.keep_corner(index, corner);
         Some(corner)
     }

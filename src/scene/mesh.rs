@@ -1,15 +1,5 @@
+use super::{IndexedList, List, Topology};
 use crate::math::Vec3;
-
-/// How vertices make triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Indices<'a> {
-    /// Three vertices after the other: no vertex is shared.
-    Sequential,
-    /// Three indices a triangle, for up to 256 vertices.
-    U8(&'a [u8]),
-    /// Three indices a triangle, for up to 65 536 vertices.
-    U16(&'a [u16]),
-}
 
 /// A mesh in the caller's memory, usually flash: positions, what a shader wants beside them, and
 /// triangles.
@@ -29,75 +19,87 @@ pub enum Indices<'a> {
 /// # Range
 /// Any lengths: triangles whose vertices do not exist are skipped when they are drawn, and
 /// counted where counting is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Mesh<'a, A, T = List> {
+    pub(crate) topology: T,
+    vertices: Vertices<'a, A>,
+}
+
+/// What a mesh holds beside its topology.
 #[derive(Debug)]
-pub struct Mesh<'a, A> {
+pub(crate) struct Vertices<'a, A> {
     pub(crate) positions: &'a [[i16; 3]],
     pub(crate) attributes: &'a [A],
     pub(crate) by_face: bool,
-    pub(crate) indices: Indices<'a>,
     scale: Vec3,
     offset: Vec3,
 }
 
-impl<A> Clone for Mesh<'_, A> {
+impl<A> Clone for Vertices<'_, A> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<A> Copy for Mesh<'_, A> {}
+impl<A> Copy for Vertices<'_, A> {}
 
 impl<'a, A> Mesh<'a, A> {
     /// A mesh whose attributes belong to its vertices, drawn in sequence, at scale 1.
     pub const fn new(positions: &'a [[i16; 3]], attributes: &'a [A]) -> Self {
+        let vertices = if positions.is_empty() { attributes.len() } else { positions.len() };
         Self {
-            positions,
-            attributes,
-            by_face: false,
-            indices: Indices::Sequential,
-            scale: Vec3::new(1.0, 1.0, 1.0),
-            offset: Vec3::ZERO,
+            topology: List::new(vertices),
+            vertices: Vertices {
+                positions,
+                attributes,
+                by_face: false,
+                scale: Vec3::new(1.0, 1.0, 1.0),
+                offset: Vec3::ZERO,
+            },
         }
     }
+}
 
+impl<'a, A, T: Topology> Mesh<'a, A, T> {
     /// Attributes belong to triangles instead, one each.
     #[must_use]
     pub const fn by_face(mut self) -> Self {
-        self.by_face = true;
+        self.vertices.by_face = true;
         self
     }
 
-    /// Triangles by indices.
+    /// Triangles by indices: three of 8, 16 or 32 bits each.
     #[must_use]
-    pub const fn indexed(mut self, indices: Indices<'a>) -> Self {
-        self.indices = indices;
-        self
+    pub const fn indexed<I>(self, indices: &'a [I]) -> Mesh<'a, A, IndexedList<'a, I>> {
+        Mesh { topology: IndexedList::new(indices), vertices: self.vertices }
+    }
+
+    /// Triangles in any way.
+    #[must_use]
+    pub const fn with_topology<N: Topology>(self, topology: N) -> Mesh<'a, A, N> {
+        Mesh { topology, vertices: self.vertices }
     }
 
     /// The box: what one step of a position is in model space, by axis, and where position 0 lies.
     #[must_use]
     pub const fn placed(mut self, scale: Vec3, offset: Vec3) -> Self {
-        self.scale = scale;
-        self.offset = offset;
+        self.vertices.scale = scale;
+        self.vertices.offset = offset;
         self
     }
 
     /// How many triangles there are.
-    pub const fn triangles(&self) -> usize {
-        let corners = match self.indices {
-            Indices::Sequential => {
-                if self.positions.is_empty() {
-                    self.attributes.len()
-                } else {
-                    self.positions.len()
-                }
-            }
-            Indices::U8(indices) => indices.len(),
-            Indices::U16(indices) => indices.len(),
-        };
-        corners / 3
+    pub fn triangles(&self) -> u32 {
+        self.topology.triangles()
     }
 
+    /// The mesh without its topology.
+    pub(crate) const fn vertices(&self) -> &Vertices<'a, A> {
+        &self.vertices
+    }
+}
+
+impl<A> Vertices<'_, A> {
     /// A step of a position and where position 0 lies, in model space.
     pub(crate) const fn place(&self) -> (Vec3, Vec3) {
         (self.scale, self.offset)

@@ -4,8 +4,11 @@ mod camera;
 mod light;
 mod mesh;
 mod normal;
+mod topology;
 
 pub use camera::Camera;
 pub use light::Light;
-pub use mesh::{Indices, Mesh};
+pub use mesh::Mesh;
+pub(crate) use mesh::Vertices;
 pub use normal::{normal, Normal};
+pub use topology::{AnyTopology, IndexedList, List, Topology};

@@ -2,7 +2,7 @@
 //! where they are, nothing snapped, nothing shared with the crate but matrices and numbers.
 
 use microraster::math::{Mat4, Vec3};
-use microraster::{AnyDepth, Cull, Indices, Rgb, Size, Winding};
+use microraster::{AnyDepth, Cull, Rgb, Size, Topology, Winding};
 
 use crate::scenes::golden::render::{AMBIENT, MATERIAL, SUN, SUN_COLOR, TONES, TOWARDS_LIGHT};
 use crate::scenes::golden::shapes::Attributes;
@@ -133,16 +133,12 @@ impl Canvas {
             transform(&projection, transform(&camera.view(), world))
         };
         let clip: Vec<[f64; 4]> = arrays.positions.iter().map(place).collect();
-        let indices: Vec<usize> = match arrays.indices {
-            Indices::Sequential => (0..clip.len()).collect(),
-            Indices::U8(indices) => indices.iter().map(|i| usize::from(*i)).collect(),
-            Indices::U16(indices) => indices.iter().map(|i| usize::from(*i)).collect(),
-        };
         // Without a far plane, clip z is the same everywhere.
         let has_far = columns(&projection).iter().take(3).any(|column| column[2] != 0.0);
         let stage = Stage { draw, viewport, has_far };
-        for (number, corners) in indices.chunks_exact(3).enumerate() {
-            let corners = [corners[0], corners[1], corners[2]];
+        for number in 0..arrays.topology.triangles() as usize {
+            let Some(corners) = arrays.topology.triangle(number as u32) else { continue };
+            let corners = corners.map(|index| index as usize);
             let paint = paint(draw, &model, number, corners);
             self.triangle(&stage, corners.map(|i| clip[i]), &paint);
         }

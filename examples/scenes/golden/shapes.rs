@@ -2,7 +2,7 @@
 
 use microraster::math::Vec3;
 use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_POSITIONS, TEAPOT_SCALE};
-use microraster::{Indices, Mesh, Normal, Rgb};
+use microraster::{AnyTopology, IndexedList, List, Mesh, Normal, Rgb};
 
 /// A mesh by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,15 +32,20 @@ pub(crate) enum Attributes {
 pub(crate) struct Arrays {
     pub(crate) positions: &'static [[i16; 3]],
     pub(crate) attributes: Attributes,
-    pub(crate) indices: Indices<'static>,
+    pub(crate) topology: AnyTopology<'static>,
     pub(crate) scale: Vec3,
     pub(crate) offset: Vec3,
 }
 
 impl Arrays {
     /// The mesh, with attributes that the caller took from it.
-    pub(crate) fn mesh<A>(&self, attributes: &'static [A]) -> Mesh<'static, A> {
-        Mesh::new(self.positions, attributes).indexed(self.indices).placed(self.scale, self.offset)
+    pub(crate) fn mesh<A>(
+        &self,
+        attributes: &'static [A],
+    ) -> Mesh<'static, A, AnyTopology<'static>> {
+        Mesh::new(self.positions, attributes)
+            .with_topology(self.topology)
+            .placed(self.scale, self.offset)
     }
 }
 
@@ -51,35 +56,35 @@ impl Shape {
             Self::Teapot => Arrays {
                 positions: &TEAPOT_POSITIONS,
                 attributes: Attributes::Normals(&TEAPOT_NORMALS),
-                indices: Indices::U16(&TEAPOT_INDICES),
+                topology: AnyTopology::Indexed16(IndexedList::new(&TEAPOT_INDICES)),
                 scale: Vec3::new(TEAPOT_SCALE, TEAPOT_SCALE, TEAPOT_SCALE),
                 offset: Vec3::ZERO,
             },
             Self::Cube => Arrays {
                 positions: &CORNERS,
                 attributes: Attributes::Colors(&CORNER_COLORS),
-                indices: Indices::U8(&BOX_INDICES),
+                topology: AnyTopology::Indexed8(IndexedList::new(&BOX_INDICES)),
                 scale: one,
                 offset: Vec3::ZERO,
             },
             Self::Box => Arrays {
                 positions: &CORNERS,
                 attributes: Attributes::FaceColors(&SIDE_COLORS),
-                indices: Indices::U8(&BOX_INDICES),
+                topology: AnyTopology::Indexed8(IndexedList::new(&BOX_INDICES)),
                 scale: one,
                 offset: Vec3::ZERO,
             },
             Self::Floor => Arrays {
                 positions: &FLOOR,
                 attributes: Attributes::FaceColors(&FLOOR_COLORS),
-                indices: Indices::U16(&FLOOR_INDICES),
+                topology: AnyTopology::Indexed16(IndexedList::new(&FLOOR_INDICES)),
                 scale: one,
                 offset: Vec3::ZERO,
             },
             Self::Sheet(i) => Arrays {
                 positions: &SHEET,
                 attributes: Attributes::FaceColors(SHEET_COLORS[i % 3]),
-                indices: Indices::Sequential,
+                topology: AnyTopology::List(List::new(SHEET.len())),
                 scale: one,
                 offset: Vec3::ZERO,
             },

@@ -174,6 +174,54 @@ fn what_makes_no_sense_is_skipped_and_counted() {
     }
 }
 
+/// Cameras of every kind, each of which draws the triangle at the origin.
+fn cameras() -> [(&'static str, Camera); 4] {
+    let (eye, lens) = (Vec3::new(0.3, 0.4, 4.0), Camera::perspective(45.0.degrees(), 0.5));
+    let projection = Mat4::perspective(50.0.degrees(), 1.25, 0.25, Some(20.0));
+    [
+        ("perspective", lens),
+        ("far plane", lens.far(50.0)),
+        ("orthographic", Camera::orthographic(4.0, 0.5, 20.0)),
+        ("custom", Camera::custom(projection)),
+    ]
+    .map(|(name, camera)| (name, camera.look_at(eye, Vec3::ZERO, Vec3::Y)))
+}
+
+#[test]
+fn a_matrix_that_is_not_finite_skips_all_triangles_whichever_element_it_is() {
+    let corners: Vec<[i16; 3]> = CORNERS.iter().cycle().take(9).copied().collect();
+    let colors: Vec<Rgb> = COLORS.iter().cycle().take(9).copied().collect();
+    let mesh = Mesh::new(&corners, &colors);
+    let model = Mat4::rotation_y(30.0.degrees());
+    let spoilt = |matrix: Mat4, element: usize, bad: f32| {
+        let mut columns = matrix.to_columns();
+        columns[element / 4][element % 4] = bad;
+        let [x, y, z, w] = columns.map(|[x, y, z, w]| Vec4::new(x, y, z, w));
+        Mat4 { x, y, z, w }
+    };
+    for (name, camera) in cameras() {
+        let good = count(&model, &mesh, &camera, None);
+        assert_eq!((good.triangles, good.drawn), (3, 3), "{name}");
+        for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+            for element in 0..16 {
+                let view = camera.with_view(spoilt(camera.view(), element, bad));
+                let projection = Camera::custom(spoilt(camera.projection(1.25), element, bad))
+                    .with_view(camera.view());
+                let counts = [
+                    ("model", count(&spoilt(model, element, bad), &mesh, &camera, None)),
+                    ("view", count(&model, &mesh, &view, None)),
+                    ("projection", count(&model, &mesh, &projection, None)),
+                ];
+                for (matrix, stats) in counts {
+                    let what = format!("{name}: {bad} in element {element} of {matrix}");
+                    assert_eq!((stats.triangles, stats.skipped), (3, 3), "{what}");
+                    assert_eq!((stats.drawn, stats.clipped, stats.pixels), (0, 0, 0), "{what}");
+                }
+            }
+        }
+    }
+}
+
 /// Positions as they come.
 struct OwnPositions;
 

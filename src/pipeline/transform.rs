@@ -69,7 +69,7 @@ fn round(v: f32) -> i32 {
 fn reach(row: &[f32; 4], largest: f32) -> f32 {
     let [a, b, c, d] = row.map(|v| f32::from_bits(v.to_bits() & 0x7FFF_FFFF));
     let reach = (a + b + c) * 32768.0 + d;
-    if largest >= reach {
+    if largest >= reach || largest.is_nan() {
         largest
     } else {
         reach

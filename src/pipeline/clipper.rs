@@ -1,15 +1,18 @@
 use super::mapping::{near_slack, Mapping};
 use super::transform::Depth;
 use super::Clip;
+use crate::frame::MAX_SIDE;
 use crate::math::{reciprocal, Reciprocal};
 use crate::raster::{twice_area, ScreenVertex, Triangle, GUARD};
 
 /// A clipped triangle has at most its three corners and one more for each of seven planes.
 const MAX_CORNERS: usize = 3 + 7;
 
-/// How far from the viewport's centre triangles are cut, in pixels: a little inside of the guard
-/// box, so that rounding does not leave it.
-const CUT: i64 = GUARD as i64 - 2;
+/// How far from the viewport's centre triangles are cut, in pixels: at the guard box, into which
+/// [`Mapping::corner`] brings what rounding puts beside it.
+const CUT: i64 = GUARD as i64;
+
+const _: () = assert!(CUT >= MAX_SIDE as i64 / 2, "the longest viewport lies within");
 
 /// A corner of the polygon: where it is, and how much of the triangle's second and third corner is
 /// in it, in units of 2^-30.

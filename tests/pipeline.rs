@@ -12,10 +12,11 @@ use microraster::math::{AngleUnits, Mat4, Vec3, Vec4};
 use microraster::models::TEAPOT;
 #[cfg(feature = "std")]
 use microraster::raster::AnyTraversal;
+use microraster::raster::ScreenVertex;
 use microraster::{
     AnyDepth, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, FlatColor, Frame, FrameError,
-    Gouraud, Indices, Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Shader,
-    Size, SmoothColor, Stats, VertexCache,
+    Gouraud, Indices, Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Scalar,
+    ScreenPass, Shader, Size, SmoothColor, Stats, VertexCache,
 };
 use support::Random;
 
@@ -319,6 +320,68 @@ fn depth_codes_are_those_of_the_stated_mapping() {
         let bound = 0.6 + exact * (3.0 / 32_768.0);
         assert!((code - exact).abs() <= bound, "{code} for {exact}: near {near}, {distance}");
     }
+}
+
+/// Draws every other pixel: where whole parts of column and row add up to an even number.
+struct Chequered;
+
+impl Shader for Chequered {
+    type Vertex = (u16, u16);
+    type Varying = (Scalar, Scalar);
+    type Prepared = ();
+
+    fn prepare(&self, _: &DrawContext) {}
+
+    fn vertex(&self, (): &(), vertex: &(u16, u16)) -> (u16, u16) {
+        *vertex
+    }
+
+    fn fragment(&self, (x, y): &(Scalar, Scalar)) -> Option<Color> {
+        (x.get() / 16 + y.get() / 16).is_multiple_of(2).then(|| Rgb::WHITE.into())
+    }
+}
+
+#[test]
+fn a_discarded_pixel_keeps_its_colour_and_its_depth_and_is_not_counted() {
+    // Column and row in sixteenths at the corners of a triangle over the whole picture.
+    let corner = |x: u16, y: u16| {
+        let vertex = ScreenVertex::from_bits(16 * i32::from(x), 16 * i32::from(y), 30_000);
+        (vertex, (16 * x, 16 * y))
+    };
+    let triangle = [corner(0, 0), corner(200, 0), corner(0, 200)];
+    let (mut pixels, mut depth) = (vec![0_u32; PIXELS], vec![0_u16; PIXELS]);
+    let mut stats = Stats::default();
+    let frame = Frame::<Rgba8888>::new(&mut pixels, SIZE).expect("the buffer fits");
+    let mut frame = frame.with_depth(&mut depth).expect("the buffer fits");
+    frame.clear(Rgb::BLUE);
+    // Nearer on the left.
+    frame.set_scissor(Rect::new(0, 0, 20, 48));
+    let nearer = triangle.map(|(v, _)| (ScreenVertex { z: 40_000, ..v }, Rgb::RED.into()));
+    ScreenPass::new().depth(Less).triangle(&mut frame, &Gouraud::colored(), &nearer);
+    frame.reset_scissor();
+    ScreenPass::new().depth(Less).count(&mut stats).triangle(&mut frame, &Chequered, &triangle);
+    let [red, blue] = [0xFF00_00FF_u32, 0xFFFF_0000];
+    for (i, (pixel, code)) in pixels.iter().zip(&depth).enumerate() {
+        let (x, y) = (i % 64, i / 64);
+        let expected = match (x < 20, (x + y) % 2 == 0) {
+            (true, _) => (red, 40_000),
+            (false, true) => (u32::MAX, 30_000),
+            (false, false) => (blue, 0),
+        };
+        assert_eq!((*pixel, *code), expected, "pixel {x}, {y}");
+    }
+    assert_eq!(stats.pixels, 44 * 48 / 2, "what was kept");
+    // Without depth, too.
+    let mut pixels = vec![0_u32; PIXELS];
+    let mut frame = Frame::<Rgba8888>::new(&mut pixels, SIZE).expect("the buffer fits");
+    let mut stats = Stats::default();
+    ScreenPass::new().count(&mut stats).triangle(&mut frame, &Chequered, &triangle);
+    let kept = |i: usize| (i % 64 + i / 64) % 2 == 0;
+    assert!(
+        pixels.iter().enumerate().all(|(i, p)| *p == if kept(i) { u32::MAX } else { 0 }),
+        "every other pixel"
+    );
+    assert_eq!(stats.pixels as usize, PIXELS / 2, "what was kept");
 }
 
 #[test]

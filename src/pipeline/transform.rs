@@ -37,6 +37,8 @@ pub(crate) struct Transform {
     pub(crate) depth: Depth,
 }
 
+const _: () = assert!(Clip::LIMIT == 1 << (29 + 1), "matrices are scaled to reach below 2^30");
+
 /// 2^exponent, for exponents of normal floats.
 fn power_of_two(exponent: i32) -> Option<f32> {
     let biased = u32::try_from(exponent.checked_add(127)?).ok()?;

@@ -322,6 +322,32 @@ fn depth_codes_are_those_of_the_stated_mapping() {
     }
 }
 
+#[test]
+fn a_scissor_that_lets_nothing_through_lies_within_the_frame() {
+    let mut pixels = vec![7_u16; PIXELS];
+    let frame = Frame::<Rgb565>::new(&mut pixels[..64 * 10], Size::new(64, 10));
+    let mut frame = frame.and_then(|frame| frame.band(20, 48)).expect("the buffer fits");
+    let nothing = [
+        Rect::default(),
+        Rect::new(30, 25, 10, 28),
+        Rect::new(0, 29, 64, 21),
+        Rect::new(0, 0, 64, 20),
+        Rect::new(i32::MAX, i32::MAX, i32::MIN, i32::MIN),
+        Rect::new(i32::MIN, i32::MIN, i32::MIN, i32::MAX),
+    ];
+    for rect in nothing {
+        frame.set_scissor(rect);
+        let Rect { left, top, right, bottom } = frame.scissor();
+        assert!(frame.scissor().is_empty(), "{rect:?}");
+        assert!((0..=64).contains(&left) && left == right, "columns of {rect:?}");
+        assert!((20..=30).contains(&top) && top == bottom, "rows of {rect:?}");
+        frame.clear(Rgb::WHITE);
+    }
+    frame.set_scissor(Rect::new(i32::MIN, i32::MIN, i32::MAX, i32::MAX));
+    assert_eq!(frame.scissor(), Rect::new(0, 20, 64, 30), "everything");
+    assert!(pixels.iter().all(|pixel| *pixel == 7), "nothing was cleared");
+}
+
 /// Draws every other pixel: where whole parts of column and row add up to an even number.
 struct Chequered;
 

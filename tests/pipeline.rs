@@ -12,10 +12,11 @@ use microraster::math::{AngleUnits, Mat4, Vec3, Vec4};
 use microraster::models::TEAPOT;
 #[cfg(feature = "std")]
 use microraster::raster::AnyTraversal;
+use microraster::raster::ScreenVertex;
 use microraster::{
     AnyDepth, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, FlatColor, Frame, FrameError,
-    Gouraud, Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Shader, Size,
-    SmoothColor, Stats, Topology, VertexCache,
+    Gouraud, Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Scalar,
+    ScreenPass, Shader, Size, SmoothColor, Stats, Topology, VertexCache,
 };
 use support::Random;
 
@@ -179,6 +180,54 @@ fn what_makes_no_sense_is_skipped_and_counted() {
     }
 }
 
+/// Cameras of every kind, each of which draws the triangle at the origin.
+fn cameras() -> [(&'static str, Camera); 4] {
+    let (eye, lens) = (Vec3::new(0.3, 0.4, 4.0), Camera::perspective(45.0.degrees(), 0.5));
+    let projection = Mat4::perspective(50.0.degrees(), 1.25, 0.25, Some(20.0));
+    [
+        ("perspective", lens),
+        ("far plane", lens.far(50.0)),
+        ("orthographic", Camera::orthographic(4.0, 0.5, 20.0)),
+        ("custom", Camera::custom(projection)),
+    ]
+    .map(|(name, camera)| (name, camera.look_at(eye, Vec3::ZERO, Vec3::Y)))
+}
+
+#[test]
+fn a_matrix_that_is_not_finite_skips_all_triangles_whichever_element_it_is() {
+    let corners: Vec<[i16; 3]> = CORNERS.iter().cycle().take(9).copied().collect();
+    let colors: Vec<Rgb> = COLORS.iter().cycle().take(9).copied().collect();
+    let mesh = Mesh::new(&corners, &colors);
+    let model = Mat4::rotation_y(30.0.degrees());
+    let spoilt = |matrix: Mat4, element: usize, bad: f32| {
+        let mut columns = matrix.to_columns();
+        columns[element / 4][element % 4] = bad;
+        let [x, y, z, w] = columns.map(|[x, y, z, w]| Vec4::new(x, y, z, w));
+        Mat4 { x, y, z, w }
+    };
+    for (name, camera) in cameras() {
+        let good = count(&model, &mesh, &camera, None);
+        assert_eq!((good.triangles, good.drawn), (3, 3), "{name}");
+        for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+            for element in 0..16 {
+                let view = camera.with_view(spoilt(camera.view(), element, bad));
+                let projection = Camera::custom(spoilt(camera.projection(1.25), element, bad))
+                    .with_view(camera.view());
+                let counts = [
+                    ("model", count(&spoilt(model, element, bad), &mesh, &camera, None)),
+                    ("view", count(&model, &mesh, &view, None)),
+                    ("projection", count(&model, &mesh, &projection, None)),
+                ];
+                for (matrix, stats) in counts {
+                    let what = format!("{name}: {bad} in element {element} of {matrix}");
+                    assert_eq!((stats.triangles, stats.skipped), (3, 3), "{what}");
+                    assert_eq!((stats.drawn, stats.clipped, stats.pixels), (0, 0, 0), "{what}");
+                }
+            }
+        }
+    }
+}
+
 /// Positions as they come.
 struct OwnPositions;
 
@@ -276,6 +325,94 @@ fn depth_codes_are_those_of_the_stated_mapping() {
         let bound = 0.6 + exact * (3.0 / 32_768.0);
         assert!((code - exact).abs() <= bound, "{code} for {exact}: near {near}, {distance}");
     }
+}
+
+#[test]
+fn a_scissor_that_lets_nothing_through_lies_within_the_frame() {
+    let mut pixels = vec![7_u16; PIXELS];
+    let frame = Frame::<Rgb565>::new(&mut pixels[..64 * 10], Size::new(64, 10));
+    let mut frame = frame.and_then(|frame| frame.band(20, 48)).expect("the buffer fits");
+    let nothing = [
+        Rect::default(),
+        Rect::new(30, 25, 10, 28),
+        Rect::new(0, 29, 64, 21),
+        Rect::new(0, 0, 64, 20),
+        Rect::new(i32::MAX, i32::MAX, i32::MIN, i32::MIN),
+        Rect::new(i32::MIN, i32::MIN, i32::MIN, i32::MAX),
+    ];
+    for rect in nothing {
+        frame.set_scissor(rect);
+        let Rect { left, top, right, bottom } = frame.scissor();
+        assert!(frame.scissor().is_empty(), "{rect:?}");
+        assert!((0..=64).contains(&left) && left == right, "columns of {rect:?}");
+        assert!((20..=30).contains(&top) && top == bottom, "rows of {rect:?}");
+        frame.clear(Rgb::WHITE);
+    }
+    frame.set_scissor(Rect::new(i32::MIN, i32::MIN, i32::MAX, i32::MAX));
+    assert_eq!(frame.scissor(), Rect::new(0, 20, 64, 30), "everything");
+    assert!(pixels.iter().all(|pixel| *pixel == 7), "nothing was cleared");
+}
+
+/// Draws every other pixel: where whole parts of column and row add up to an even number.
+struct Chequered;
+
+impl Shader for Chequered {
+    type Vertex = (u16, u16);
+    type Varying = (Scalar, Scalar);
+    type Prepared = ();
+
+    fn prepare(&self, _: &DrawContext) {}
+
+    fn vertex(&self, (): &(), vertex: &(u16, u16)) -> (u16, u16) {
+        *vertex
+    }
+
+    fn fragment(&self, (x, y): &(Scalar, Scalar)) -> Option<Color> {
+        (x.get() / 16 + y.get() / 16).is_multiple_of(2).then(|| Rgb::WHITE.into())
+    }
+}
+
+#[test]
+fn a_discarded_pixel_keeps_its_colour_and_its_depth_and_is_not_counted() {
+    // Column and row in sixteenths at the corners of a triangle over the whole picture.
+    let corner = |x: u16, y: u16| {
+        let vertex = ScreenVertex::from_bits(16 * i32::from(x), 16 * i32::from(y), 30_000);
+        (vertex, (16 * x, 16 * y))
+    };
+    let triangle = [corner(0, 0), corner(200, 0), corner(0, 200)];
+    let (mut pixels, mut depth) = (vec![0_u32; PIXELS], vec![0_u16; PIXELS]);
+    let mut stats = Stats::default();
+    let frame = Frame::<Rgba8888>::new(&mut pixels, SIZE).expect("the buffer fits");
+    let mut frame = frame.with_depth(&mut depth).expect("the buffer fits");
+    frame.clear(Rgb::BLUE);
+    // Nearer on the left.
+    frame.set_scissor(Rect::new(0, 0, 20, 48));
+    let nearer = triangle.map(|(v, _)| (ScreenVertex { z: 40_000, ..v }, Rgb::RED.into()));
+    ScreenPass::new().depth(Less).triangle(&mut frame, &Gouraud::colored(), &nearer);
+    frame.reset_scissor();
+    ScreenPass::new().depth(Less).count(&mut stats).triangle(&mut frame, &Chequered, &triangle);
+    let [red, blue] = [0xFF00_00FF_u32, 0xFFFF_0000];
+    for (i, (pixel, code)) in pixels.iter().zip(&depth).enumerate() {
+        let (x, y) = (i % 64, i / 64);
+        let expected = match (x < 20, (x + y) % 2 == 0) {
+            (true, _) => (red, 40_000),
+            (false, true) => (u32::MAX, 30_000),
+            (false, false) => (blue, 0),
+        };
+        assert_eq!((*pixel, *code), expected, "pixel {x}, {y}");
+    }
+    assert_eq!(stats.pixels, 44 * 48 / 2, "what was kept");
+    // Without depth, too.
+    let mut pixels = vec![0_u32; PIXELS];
+    let mut frame = Frame::<Rgba8888>::new(&mut pixels, SIZE).expect("the buffer fits");
+    let mut stats = Stats::default();
+    ScreenPass::new().count(&mut stats).triangle(&mut frame, &Chequered, &triangle);
+    let kept = |i: usize| (i % 64 + i / 64) % 2 == 0;
+    assert!(
+        pixels.iter().enumerate().all(|(i, p)| *p == if kept(i) { u32::MAX } else { 0 }),
+        "every other pixel"
+    );
+    assert_eq!(stats.pixels as usize, PIXELS / 2, "what was kept");
 }
 
 #[test]

@@ -77,12 +77,78 @@ fn without_arguments_it_draws_the_teapot() {
     let picture = pixels(&folder.0.join("out.tga"));
     assert_eq!(picture.dimensions(), (320, 240), "the default size");
 
-    // It fills at most 80 % of the height, and touches that or nearly the whole width.
-    let lit = |x: u32, y: u32| picture.get_pixel(x, y).0 != picture.get_pixel(0, 0).0;
-    let rows = (0..240).filter(|&y| (0..320).any(|x| lit(x, y))).count();
-    let columns = (0..320).filter(|&x| (0..240).any(|y| lit(x, y))).count();
-    assert!(rows <= 194 && columns <= 306, "{columns} x {rows}");
-    assert!(rows >= 150 || columns >= 240, "{columns} x {rows}");
+    // 80 % of the height are 192 rows.
+    let [left, top, right, bottom] = margins(&picture);
+    assert!(top.abs_diff(24) <= 1 && bottom.abs_diff(24) <= 1, "{top} and {bottom} rows free");
+    assert!(left.abs_diff(right) <= 1 && left >= 8, "{left} and {right} columns free");
+}
+
+/// How much of a picture is free around what is drawn: left, top, right, bottom.
+fn margins(picture: &image::RgbaImage) -> [u32; 4] {
+    let (width, height) = picture.dimensions();
+    let drawn = |x: u32, y: u32| picture.get_pixel(x, y) != picture.get_pixel(0, 0);
+    let column = |x: &u32| (0..height).any(|y| drawn(*x, y));
+    let row = |y: &u32| (0..width).any(|x| drawn(x, *y));
+    let left = (0..width).find(column).expect("something is drawn");
+    let top = (0..height).find(row).expect("something is drawn");
+    let right = (0..width).rev().find(column).map_or(0, |x| width - 1 - x);
+    let bottom = (0..height).rev().find(row).map_or(0, |y| height - 1 - y);
+    [left, top, right, bottom]
+}
+
+/// Two bricks, of which the smaller stands on an end of the other: the middle of their common box
+/// is seen anywhere but in the middle of what is seen.
+fn lopsided() -> String {
+    let mut text = String::new();
+    for [low, high] in [[[0, 0, 0], [9, 2, 3]], [[7, 2, -5], [9, 8, 0]]] {
+        for corner in 0..8 {
+            let [x, y, z] = [0, 1, 2].map(|axis| [low, high][corner >> axis & 1][axis]);
+            text += &format!("v {x} {y} {z}\n");
+        }
+        for [a, b, c, d] in
+            [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]]
+        {
+            text += &format!("f {} {} {} {}\n", a - 8, b - 8, c - 8, d - 8);
+        }
+    }
+    text
+}
+
+#[test]
+fn what_is_seen_lies_in_the_middle_and_fills_the_picture() {
+    let folder = Folder::new("middle");
+    fs::write(folder.0.join("a.obj"), lopsided()).unwrap();
+    for model in [&["a.obj"][..], &[]] {
+        for size in ["320x240", "200x300", "90x400"] {
+            for (yaw, pitch) in [("0", "0"), ("30", "20"), ("200", "-50"), ("77", "90")] {
+                let view = ["--size", size, "--yaw", yaw, "--pitch", pitch];
+                folder.facts(&[model, &view].concat());
+                let picture = pixels(&folder.0.join("out.tga"));
+                let (width, height) = picture.dimensions();
+                let [left, top, right, bottom] = margins(&picture);
+                let what = format!("{model:?} {view:?}: {left} {top} {right} {bottom}");
+                assert!(left.abs_diff(right) <= 2 && top.abs_diff(bottom) <= 2, "{what}");
+                // 10 % of the height or 2.5 % of the width are free on each side, never less.
+                let (across, up) = (width / 40, height / 10);
+                assert!(left + 1 >= across && top + 1 >= up, "{what}");
+                assert!(left <= across + 2 || top <= up + 2, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_turn_is_seen_from_one_place_that_has_room_for_all_of_it() {
+    let folder = Folder::new("turn");
+    fs::write(folder.0.join("a.obj"), lopsided()).unwrap();
+    folder.facts(&["a.obj", "--frames", "12", "-o", "turn.tga"]);
+    let all = (0..12).map(|i| margins(&pixels(&folder.0.join(format!("turn-{i:03}.tga")))));
+    let [left, top, right, bottom] =
+        all.reduce(|a, b| [0, 1, 2, 3].map(|side| a[side].min(b[side]))).unwrap();
+    let what = format!("{left} {top} {right} {bottom}");
+    assert!(left.abs_diff(right) <= 2 && top.abs_diff(bottom) <= 2, "{what}");
+    assert!(left <= 10 || top <= 26, "{what}");
+    assert!(left >= 7 && top >= 23, "{what}");
 }
 
 #[test]
@@ -91,16 +157,7 @@ fn the_hash_is_that_of_the_colour_bytes() {
     let facts = folder.facts(&["--format", "rgba8888", "--size", "64x48", "-o", "a.tga"]);
     let bytes: Vec<u8> =
         pixels(&folder.0.join("a.tga")).pixels().flat_map(|pixel| pixel.0).collect();
-    // What was not drawn has alpha 0 or 255 in memory; the file is opaque.
-    let transparent: Vec<u8> = bytes
-        .chunks_exact(4)
-        .flat_map(|p| match p {
-            [0, 0, 0, _] => [0; 4],
-            p => [p[0], p[1], p[2], p[3]],
-        })
-        .collect();
-    let hashes = [&bytes, &transparent].map(|bytes| format!("{:016x}", fnv1a64(bytes)));
-    assert!(hashes.iter().any(|hash| hash == fact(&facts, "hash")), "{facts} {hashes:?}");
+    assert_eq!(format!("{:016x}", fnv1a64(&bytes)), fact(&facts, "hash"), "{facts}");
 
     // Swapped bytes are another memory and the same picture.
     let plain = folder.facts(&["--size", "64x48", "-o", "b.tga"]);
@@ -176,9 +233,49 @@ fn errors_say_why_and_leave_no_file() {
         assert!(output.stdout.is_empty(), "{arguments:?}: no facts");
         assert_eq!(folder.names(), before, "{arguments:?}: no file");
     }
-    for arguments in [["--size", "0x5"], ["--size", "9"], ["--size", "5000x5"], ["--frames", "0"]] {
-        let output = folder.simulate(&arguments);
-        assert!(!output.status.success(), "{arguments:?}");
+    for arguments in [
+        &["--size", "0x5"][..],
+        &["--size", "9"],
+        &["--size", "8193x5"],
+        &["--frames", "0"],
+        &["--no-such-option"],
+    ] {
+        let output = folder.simulate(arguments);
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert!(!output.stderr.is_empty() && output.stdout.is_empty(), "{arguments:?}");
         assert_eq!(folder.names(), before, "{arguments:?}: no file");
     }
+    let help = folder.simulate(&["--help"]);
+    assert!(help.status.success() && help.stderr.is_empty(), "help is no error");
+}
+
+#[test]
+fn the_model_is_never_written_over() {
+    let folder = Folder::new("over");
+    fs::write(folder.0.join("a.tga"), lopsided()).unwrap();
+    let before = folder.names();
+    for output in ["a.tga", "./a.tga"] {
+        let output = folder.simulate(&["a.tga", "-o", output]);
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{errors}");
+        assert!(errors.contains("a.tga: this is the model"), "{errors}");
+        assert_eq!(folder.names(), before, "no file");
+    }
+    assert_eq!(fs::read_to_string(folder.0.join("a.tga")).unwrap(), lopsided(), "as it was");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_as_output_stays_one_whether_it_leads_somewhere_or_not() {
+    let folder = Folder::new("links");
+    fs::create_dir(folder.0.join("below")).unwrap();
+    std::os::unix::fs::symlink("below/b.tga", folder.0.join("a.tga")).unwrap();
+    for _ in 0..2 {
+        folder.facts(&["--size", "16x12", "-o", "a.tga"]);
+        assert!(folder.0.join("a.tga").is_symlink(), "still a link");
+        assert!(fs::symlink_metadata(folder.0.join("below/b.tga")).unwrap().is_file(), "a file");
+    }
+    std::os::unix::fs::symlink("c.tga", folder.0.join("c.tga")).unwrap();
+    let output = folder.simulate(&["-o", "c.tga"]);
+    assert_eq!(output.status.code(), Some(1), "a link to itself");
 }

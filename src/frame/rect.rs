@@ -53,7 +53,7 @@ impl Rect {
         if self.is_empty() {
             0
         } else {
-            self.right.wrapping_sub(self.left).unsigned_abs()
+            self.right.abs_diff(self.left)
         }
     }
 
@@ -62,7 +62,7 @@ impl Rect {
         if self.is_empty() {
             0
         } else {
-            self.bottom.wrapping_sub(self.top).unsigned_abs()
+            self.bottom.abs_diff(self.top)
         }
     }
 }
@@ -76,6 +76,14 @@ mod tests {
         let shared = Rect::new(0, 0, 4, 4).intersection(Rect::new(6, 6, 9, 9));
         assert!(shared.is_empty(), "{shared:?}");
         assert_eq!((shared.width(), shared.height()), (0, 0), "no pixels");
+    }
+
+    #[test]
+    fn sides_as_long_as_numbers_reach_are_counted() {
+        let all = Rect::new(i32::MIN, -1, i32::MAX, i32::MAX);
+        assert_eq!((all.width(), all.height()), (u32::MAX, 1 << 31), "{all:?}");
+        let turned = Rect::new(i32::MAX, 0, i32::MIN, 1);
+        assert_eq!((turned.width(), turned.height()), (0, 0), "{turned:?}");
     }
 
     #[test]

@@ -167,7 +167,11 @@ impl<F: Format, D> Frame<'_, F, D> {
     /// Limits drawing and clearing to `rect`, in picture coordinates; what lies outside of the
     /// frame is cut off. An empty rectangle lets nothing through.
     pub fn set_scissor(&mut self, rect: Rect) {
-        self.scissor = self.held().intersection(rect);
+        let held = self.held();
+        let scissor = held.intersection(rect);
+        // One form of nothing, whose sides lie within the frame.
+        let nothing = Rect { right: held.left, bottom: held.top, ..held };
+        self.scissor = if scissor.is_empty() { nothing } else { scissor };
     }
 
     /// Lets everything through again.

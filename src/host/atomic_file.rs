@@ -14,7 +14,7 @@ static COUNTER: AtomicU32 = AtomicU32::new(0);
 /// it to its real name, and dropping it without that removes it.
 ///
 /// So a reader sees the old file or the new one, never a part, and an error halfway leaves
-/// nothing behind. To publish several files together, write and [`seal`](Self::seal) each, then
+/// nothing behind; a process that is killed leaves the temporary file, `.NAME.NUMBER.part`. To publish several files together, write and [`seal`](Self::seal) each, then
 /// commit all.
 ///
 /// ```
@@ -43,24 +43,15 @@ pub struct AtomicFile {
 impl AtomicFile {
     /// Opens a temporary file in the folder of `target`.
     ///
-    /// A symbolic link as target stays one: the file that it names is replaced.
+    /// A symbolic link as target stays one: the file that it names is replaced, or made where it
+    /// does not exist.
     ///
     /// # Errors
     ///
     /// The folder does not exist or may not be written, or `target` exists and is no regular
     /// file: a device or a folder is never replaced.
     pub fn create(target: impl AsRef<Path>) -> io::Result<Self> {
-        let target = target.as_ref();
-        let target = match fs::metadata(target) {
-            Ok(there) if there.is_file() => fs::canonicalize(target)?,
-            Ok(_) => {
-                return Err(io::Error::new(
-                    io::ErrorKind::InvalidInput,
-                    "it exists and is no regular file",
-                ))
-            }
-            Err(_) => target.to_path_buf(),
-        };
+        let target = followed(target.as_ref())?;
         let Some(name) = target.file_name() else {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
         };
@@ -105,6 +96,30 @@ impl AtomicFile {
         self.committed = true;
         Ok(())
     }
+}
+
+/// Where a file is or will be, behind all links.
+fn followed(target: &Path) -> io::Result<PathBuf> {
+    /// As many links as Linux follows.
+    const LINKS: usize = 40;
+    let mut target = target.to_path_buf();
+    for _ in 0..LINKS {
+        match fs::symlink_metadata(&target) {
+            Ok(there) if there.is_symlink() => {
+                let named = fs::read_link(&target)?;
+                target = target.parent().unwrap_or(Path::new("")).join(named);
+            }
+            Ok(there) if !there.is_file() => {
+                return Err(io::Error::new(
+                    io::ErrorKind::InvalidInput,
+                    "it exists and is no regular file",
+                ));
+            }
+            // A file to replace, or none; what else is wrong shows when the file is opened.
+            _ => return Ok(target),
+        }
+    }
+    Err(io::Error::new(io::ErrorKind::InvalidInput, "too many links lead to each other"))
 }
 
 impl Write for AtomicFile {

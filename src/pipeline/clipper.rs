@@ -1,5 +1,6 @@
 use super::mapping::{near_slack, Mapping};
 use super::Clip;
+use crate::frame::MAX_SIDE;
 use crate::math::{reciprocal_of_some, rolled, Reciprocal};
 use crate::raster::{twice_area, ScreenVertex, Triangle, GUARD};
 
@@ -9,10 +10,12 @@ const MAX_CORNERS: usize = 3 + 7;
 /// Places in the ring of corners: room for a polygon, and for a second that is being made of it.
 const RING: usize = 16;
 
-/// How far from the viewport's centre triangles are cut, in pixels: a little inside of the guard
-/// box, so that rounding does not leave it.
+/// How far from the viewport's centre triangles are cut, in pixels: at the guard box, into which
+/// [`Mapping::corner`] brings what rounding puts beside it.
 #[allow(clippy::cast_possible_truncation, reason = "4096")]
-const CUT: i16 = GUARD as i16 - 2;
+const CUT: i16 = GUARD as i16;
+
+const _: () = assert!(CUT as u16 >= MAX_SIDE / 2, "the longest viewport lies within");
 
 /// A corner of a polygon: where it is in clip space (x, y, z, w), and how much of the triangle's
 /// second and third corner is in it (u, v), in units of 2^-30.

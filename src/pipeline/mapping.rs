@@ -62,6 +62,10 @@ pub(crate) struct Mapping {
 /// How far from the viewport's centre a corner may lie, in subpixels.
 const GUARD_BITS: i32 = GUARD * SUBPIXELS;
 
+const _: () = assert!((Clip::LIMIT as u32 - 1).leading_zeros() >= 2, "a shift by w's room");
+const _: () = assert!(65_531_u64 << 14 < 1 << 31, "a factor of a high product");
+const _: () = assert!(2 + 65_531 <= u16::MAX as u32, "depth codes");
+
 impl Mapping {
     /// The mapping to a viewport of this size whose upper left corner is the pixel (`left`, `top`).
     pub(super) fn new(left: i32, top: i32, size: Size, depth: Depth) -> Self {

@@ -1,3 +1,5 @@
+use crate::raster::{GUARD, SUBPIXELS};
+
 /// Where a vertex lies beside the view, as bits; a triangle whose corners share one is not seen.
 pub(crate) mod flag {
     pub(crate) const LEFT: u16 = 1 << 0;
@@ -18,6 +20,8 @@ pub(crate) mod flag {
     /// Triangles any of whose corners has one of these are clipped.
     pub(crate) const CLIP: u16 = NEAR | FAR | RANGE;
 }
+
+const _: () = assert!(i16::MAX as i32 <= GUARD * SUBPIXELS, "what 12.4 holds needs no clipping");
 
 /// A vertex on the screen: the one value from which every path draws.
 ///

@@ -65,6 +65,8 @@ pub(crate) struct Transform {
     has_z: bool,
 }
 
+const _: () = assert!(Clip::LIMIT == 1 << (29 + 1), "matrices are scaled to reach below 2^30");
+
 /// The lesser of two floats that are not negative, by their bits.
 fn least(a: f32, b: f32) -> f32 {
     f32::from_bits(a.to_bits().min(b.to_bits()))

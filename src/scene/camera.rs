@@ -49,6 +49,13 @@ impl Camera {
 
     /// A camera without perspective: the height of what it sees, and the distances between which
     /// it sees.
+    ///
+    /// # Rounding
+    /// Depth codes are off by at most 1/2 + 6 (1 + d) r: d is depth from 1 at `near` to 0 at `far`,
+    /// r the largest clip coordinate that the mesh's box can reach, which is how many times half
+    /// the view's width or height its positions of +-32768 lie away, and no less than 1. An axis
+    /// of the mesh that runs across the view, or along it, counts a third of that. Meshes far
+    /// larger than the view should be cut into smaller ones where depth matters.
     #[inline]
     pub const fn orthographic(height: f32, near: f32, far: f32) -> Self {
         let length = far - near;
@@ -79,6 +86,12 @@ impl Camera {
     }
 
     /// Cuts off what is farther than `far`. Changes a perspective camera only.
+    ///
+    /// # Rounding
+    /// Depth codes are off by at most 1/2 + 6 (1 + d) r / w: d is depth from 1 at the near plane to
+    /// 0 at `far`, w the distance, r the largest clip coordinate that positions of +-32768 reach.
+    /// For a mesh not much larger than its distance, that is one or two codes as a rule (1.3 were
+    /// seen with planes at 0.1 and 100); without a far plane it is half a code and 6 d r / w.
     ///
     /// # Cost
     /// A fourth row of the matrix: 3 multiplications more a vertex, and depth that runs from near

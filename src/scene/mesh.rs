@@ -81,6 +81,12 @@ impl<'a, A, T: Topology> Mesh<'a, A, T> {
     }
 
     /// The box: what one step of a position is in model space, by axis, and where position 0 lies.
+    ///
+    /// # Rounding
+    /// Matrices are rounded to 2^-15 of what positions of +-32768 could reach, whether they do or
+    /// not. So positions should use that range, with a scale to match, and an axis that is not
+    /// used, all of whose positions are 0, should have a scale of 0: any other takes precision
+    /// away from the rest.
     #[must_use]
     pub const fn placed(mut self, scale: Vec3, offset: Vec3) -> Self {
         self.vertices.scale = scale;

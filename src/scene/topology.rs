@@ -111,7 +111,7 @@ mod tests {
     fn what_is_left_over_makes_no_triangle() {
         for vertices in 0..9 {
             let list = List::new(vertices);
-            assert_eq!(list.triangles(), vertices as u32 / 3, "{vertices} vertices");
+            assert_eq!(list.triangles() as usize, vertices / 3, "{vertices} vertices");
             assert_eq!(list.triangle(list.triangles()), None, "behind the last");
         }
         let indexed = IndexedList::new(&[7_u8, 8, 9, 1, 2]);

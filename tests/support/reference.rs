@@ -181,8 +181,10 @@ impl Canvas {
             if weights.iter().any(|weight| *weight < 0.0) || hidden {
                 continue;
             }
-            // Linear on the screen.
-            let linear = [0, 1, 2].map(|k| weights[k] * v[k][3]);
+            let linear = match paint {
+                Paint::Constant(_) => weights,
+                _ => linear(v, weights),
+            };
             self.set(i, stage.draw.depth, 2.0 + 65_531.0 * z, paint.at(linear));
         }
     }
@@ -254,6 +256,40 @@ impl Canvas {
         }
         self.set(i, depth, code, color);
     }
+}
+
+/// How much of each corner's colour is seen where `weights` of the corners make a point with
+/// w = 1: linear on the screen, between the corners or, of a triangle that the near plane cuts,
+/// between its one corner in view and the two cuts.
+fn linear(v: [[f64; 4]; 3], weights: [f64; 3]) -> [f64; 3] {
+    // Signed distances from the near plane, positive in view; without perspective, what is linear
+    // on the screen is so on the triangle.
+    let distances = v.map(|[_, _, z, w]| w - z);
+    let even = v.iter().all(|corner| corner[3] == v[0][3]);
+    let Some(seen) = distances.iter().position(|distance| *distance >= 0.0) else {
+        return weights;
+    };
+    if even || distances.iter().all(|distance| *distance >= 0.0) {
+        return [0, 1, 2].map(|k| weights[k] * v[k][3]);
+    }
+    let hidden = [(seen + 1) % 3, (seen + 2) % 3];
+    assert!(
+        hidden.iter().all(|k| distances[*k] < 0.0),
+        "how a polygon of four corners is coloured depends on its triangles"
+    );
+    // A cut is corner `seen`, and t of the way to a hidden one.
+    let t = hidden.map(|k| distances[seen] / (distances[seen] - distances[k]));
+    let mut linear = [0.0; 3];
+    for (k, t) in hidden.into_iter().zip(t) {
+        // The point's weight of this cut, times the cut's w.
+        let part = weights[k] / t * ((1.0 - t) * v[seen][3] + t * v[k][3]);
+        linear[seen] += part * (1.0 - t);
+        linear[k] += part * t;
+    }
+    let rest =
+        weights[seen] - (0..2).map(|i| weights[hidden[i]] * (1.0 - t[i]) / t[i]).sum::<f64>();
+    linear[seen] += rest * v[seen][3];
+    linear
 }
 
 /// Every pixel: its number and place.

@@ -1,6 +1,6 @@
 //! The pictures.
 
-use microraster::math::{AngleUnits, Mat4, Vec3};
+use microraster::math::{AngleUnits, Mat4, Vec3, Vec4};
 use microraster::{AnyDepth, Camera, Cull, Rect, Rgb, Size, Winding};
 
 use super::shapes::Shape;
@@ -37,13 +37,18 @@ const TEAPOT: MeshDraw = MeshDraw {
 /// Anything else, seen from all sides.
 const OPEN: MeshDraw = MeshDraw { cull: Cull::None, ..TEAPOT };
 
+/// A bar through the whole view: from behind, as depth does not tell the sides of one apart where
+/// the mesh is so much larger than the view.
+const BAR: MeshDraw =
+    MeshDraw { shape: Shape::FineCube, camera: wide, depth: AnyDepth::Off, ..TEAPOT };
+
 /// All of them.
 #[allow(dead_code, reason = "the tests ask for the list")]
 pub(crate) fn pictures() -> &'static [Picture] {
     &PICTURES
 }
 
-static PICTURES: [Picture; 17] = [
+static PICTURES: [Picture; 19] = [
     Picture {
         name: "teapot-flat",
         draws: &[Draw::Mesh(MeshDraw { shade: Shade::Flat, ..TEAPOT })],
@@ -115,6 +120,28 @@ static PICTURES: [Picture; 17] = [
             cull: Cull::Front,
             ..OPEN
         })],
+        ..PLAIN
+    },
+    // Cut at the near plane in the middle of the picture: colours of the cuts lie between.
+    Picture {
+        name: "near",
+        draws: &[Draw::Mesh(MeshDraw {
+            shape: Shape::Rays,
+            camera: lens,
+            model: Mat4::identity,
+            ..OPEN
+        })],
+        ..PLAIN
+    },
+    // Bars that are cut at the guard box on both sides.
+    Picture {
+        name: "bars",
+        background: PAPER,
+        draws: &[
+            Draw::Mesh(MeshDraw { model: bar_a, ..BAR }),
+            Draw::Mesh(MeshDraw { model: bar_b, ..BAR }),
+            Draw::Mesh(MeshDraw { model: bar_c, ..BAR }),
+        ],
         ..PLAIN
     },
     Picture {
@@ -243,6 +270,39 @@ fn isometric() -> Camera {
     Camera::orthographic(4.4, 0.0, 7.1).look_at(Vec3::new(3.0, 2.5, 3.0), Vec3::ZERO, Vec3::Y)
 }
 
+fn wide() -> Camera {
+    Camera::orthographic(4.0, -400.0, 400.0)
+}
+
+// Numbers of 1/64 upwards and of 3/128 sideways: matrices of bars so long lose nothing of them.
+
+fn bar_a() -> Mat4 {
+    Mat4::from_rows(
+        Vec4::new(384.0, 0.0, 0.0, -90.0),
+        Vec4::new(24.0, 36.0 / 64.0, 14.0 / 64.0, -298.0 / 64.0),
+        Vec4::new(0.0, -14.0 / 64.0, 36.0 / 64.0, 0.0),
+        Vec4::W,
+    )
+}
+
+fn bar_b() -> Mat4 {
+    Mat4::from_rows(
+        Vec4::new(-384.0, 0.0, 0.0, 60.0),
+        Vec4::new(40.0, -36.0 / 64.0, 20.0 / 64.0, -458.0 / 64.0),
+        Vec4::new(0.0, 20.0 / 64.0, 36.0 / 64.0, 0.0),
+        Vec4::W,
+    )
+}
+
+fn bar_c() -> Mat4 {
+    Mat4::from_rows(
+        Vec4::new(12.0, -90.0 / 128.0, -45.0 / 128.0, 198.0 / 128.0),
+        Vec4::new(300.0, 0.0, 0.0, 40.0),
+        Vec4::new(0.0, -45.0 / 128.0, 90.0 / 128.0, 0.0),
+        Vec4::W,
+    )
+}
+
 fn turned() -> Mat4 {
     Mat4::rotation_y(25.0.degrees())
 }
@@ -319,6 +379,8 @@ pub(super) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
         at::<P, 14>,
         at::<P, 15>,
         at::<P, 16>,
+        at::<P, 17>,
+        at::<P, 18>,
     ];
     PICTURES.iter().zip(draws).map(|(picture, draw)| super::scene(picture.name, draw))
 }

@@ -11,12 +11,16 @@ pub(crate) enum Shape {
     Teapot,
     /// The colour cube: a corner's colour is where it lies.
     Cube,
+    /// The colour cube in positions that use their range.
+    FineCube,
     /// A box with one colour a side.
     Box,
     /// A chequered floor, one colour a square.
     Floor,
     /// One sheet, in one of three colours.
     Sheet(usize),
+    /// Four triangles from a far corner each to two behind the eye, below, above and beside it.
+    Rays,
 }
 
 /// What belongs to the vertices or faces of a mesh.
@@ -67,6 +71,13 @@ impl Shape {
                 scale: one,
                 offset: Vec3::ZERO,
             },
+            Self::FineCube => Arrays {
+                positions: &FINE_CORNERS,
+                attributes: Attributes::Colors(&CORNER_COLORS),
+                topology: AnyTopology::Indexed8(IndexedList::new(&BOX_INDICES)),
+                scale: one * (1.0 / f32::from(FINE)),
+                offset: Vec3::ZERO,
+            },
             Self::Box => Arrays {
                 positions: &CORNERS,
                 attributes: Attributes::FaceColors(&SIDE_COLORS),
@@ -88,6 +99,13 @@ impl Shape {
                 scale: one,
                 offset: Vec3::ZERO,
             },
+            Self::Rays => Arrays {
+                positions: &RAYS,
+                attributes: Attributes::Colors(&RAY_COLORS),
+                topology: AnyTopology::List(List::new(RAYS.len())),
+                scale: Vec3::new(RAY_SCALE, RAY_SCALE, RAY_SCALE),
+                offset: Vec3::ZERO,
+            },
         }
     }
 }
@@ -102,6 +120,19 @@ static CORNERS: [[i16; 3]; 8] = [
     [-1, 1, 1],
     [1, 1, 1],
 ];
+
+/// Half a side of the fine cube.
+const FINE: i16 = 1 << 14;
+
+static FINE_CORNERS: [[i16; 3]; 8] = {
+    let mut corners = CORNERS;
+    let mut i = 0;
+    while i < 24 {
+        corners[i / 3][i % 3] *= FINE;
+        i += 1;
+    }
+    corners
+};
 
 static CORNER_COLORS: [Rgb; 8] = [
     Rgb::BLACK,
@@ -190,4 +221,40 @@ static SHEET_COLORS: [&[Rgb]; 3] = [
     &[Rgb::new(235, 95, 85), Rgb::new(225, 80, 75)],
     &[Rgb::new(70, 130, 180), Rgb::new(60, 115, 165)],
     &[Rgb::new(255, 200, 90), Rgb::new(245, 185, 80)],
+];
+
+/// Positions use their range: that is where precision comes from.
+const RAY_SCALE: f32 = 0.05 / 300.0;
+
+static RAYS: [[i16; 3]; 12] = [
+    // Below.
+    [0, -900, -24000],
+    [-9000, -900, 12000],
+    [9000, -900, 12000],
+    // Above.
+    [9000, 1200, -27000],
+    [9000, 900, 12000],
+    [-12000, 900, 12000],
+    // To the left and to the right.
+    [-18000, 0, 15000],
+    [-3600, 2400, -18000],
+    [3000, -12000, 15000],
+    [12000, -600, 15000],
+    [-1200, 9000, 15000],
+    [3600, 0, -21000],
+];
+
+static RAY_COLORS: [Rgb; 12] = [
+    Rgb::new(255, 255, 255),
+    Rgb::new(235, 40, 30),
+    Rgb::new(30, 60, 235),
+    Rgb::new(20, 30, 60),
+    Rgb::new(60, 230, 120),
+    Rgb::new(250, 220, 60),
+    Rgb::new(255, 90, 200),
+    Rgb::new(240, 240, 160),
+    Rgb::new(60, 20, 110),
+    Rgb::new(40, 200, 230),
+    Rgb::new(240, 120, 20),
+    Rgb::new(10, 60, 40),
 ];

@@ -24,7 +24,18 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let outcome = match Program::parse().command {
+    let program = match Program::try_parse() {
+        Ok(program) => program,
+        Err(message) => {
+            // Help and version come this way too, and go to standard output.
+            let is_error = message.use_stderr();
+            return match message.print() {
+                Ok(()) if !is_error => ExitCode::SUCCESS,
+                _ => ExitCode::FAILURE,
+            };
+        }
+    };
+    let outcome = match program.command {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
     };

@@ -30,19 +30,21 @@ At the end one line of facts goes to standard output:
   model=teapot triangles=... drawn=... clipped=... pixels=... hash=... ms=...
     triangles  in the model
     drawn      triangles that reached the rasterizer
-    clipped    of those, cut at the near plane or far beyond the picture's edge
+    clipped    triangles cut at the near plane or far beyond the picture's edge, drawn or not
     pixels     written, each time one is
     hash       FNV-1a (64 bits) of the colour bytes as they lie in memory
     ms         spent on drawing, without reading and writing files
 Of several pictures, counts and times are sums, and the hash is of all bytes in order.
 
 Warnings about the model go to standard error. On an error the exit code is 1, and no picture is
-written, replaced or left unfinished.";
+written, replaced or left unfinished. A run that is interrupted may leave hidden files beside the
+pictures, named .FILE.tga.NUMBER.part; they can be removed.";
 
 /// Draw a model into a TGA picture, as a display would show it.
 ///
-/// The model is centred and fills 80 % of the height (less if its width would not fit), seen with
-/// a field of view of 45 degrees, under one directional light and ambient light.
+/// The model is seen in the middle of the picture, where it fills 80 % of the height (less if its
+/// width would not fit; with --frames, over the whole turn), with a field of view of 45 degrees,
+/// under one directional light and ambient light, before dark blue.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -58,7 +60,7 @@ pub(crate) struct Arguments {
     #[arg(short, long, value_name = "FILE.tga", default_value = "out.tga")]
     output: PathBuf,
 
-    /// Width and height in pixels, each 1 to 4096
+    /// Width and height in pixels, each 1 to 8192
     #[arg(long, value_name = "WxH", default_value = "320x240")]
     size: PictureSize,
 
@@ -119,6 +121,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         render::render(view, &parts, &mut picture).map_err(|error| cannot(&error))?;
         facts.add(&picture, start.elapsed());
         let mut file = AtomicFile::create(path).map_err(|error| cannot(&error))?;
+        if arguments.model.as_deref().is_some_and(|model| is_same(model, file.target())) {
+            return Err(cannot(&"this is the model; write the picture elsewhere"));
+        }
         picture.write_tga(&mut file).map_err(|error| cannot(&error))?;
         file.seal().map_err(|error| cannot(&error))?;
         files.push(file);
@@ -154,6 +159,12 @@ fn load(path: Option<&Path>) -> Result<(String, Model), String> {
     // The facts are words: a name is one.
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     Ok((name.replace(char::is_whitespace, "_"), model))
+}
+
+/// Whether two paths lead to one file that exists.
+fn is_same(a: &Path, b: &Path) -> bool {
+    let [a, b] = [a, b].map(std::fs::canonicalize);
+    matches!((a, b), (Ok(a), Ok(b)) if a == b)
 }
 
 /// The file of each picture.

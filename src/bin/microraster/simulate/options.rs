@@ -11,8 +11,8 @@ pub(crate) struct PictureSize {
 }
 
 impl PictureSize {
-    /// The largest width and height: half the square within which vertices are exact.
-    const LARGEST: u16 = 4096;
+    /// The largest width and height.
+    const LARGEST: u16 = microraster::MAX_SIDE;
 
     pub(crate) fn pixels(self) -> usize {
         usize::from(self.width) * usize::from(self.height)

@@ -13,7 +13,7 @@ pub(crate) struct Picture {
     pub(crate) bytes: Vec<u8>,
     /// Triangles that reached the rasterizer.
     pub(crate) drawn: u64,
-    /// Of those, triangles that were cut.
+    /// Triangles that were cut, drawn or not.
     pub(crate) clipped: u64,
     /// Pixels written, each time.
     pub(crate) pixels: u64,

@@ -14,6 +14,9 @@ use microraster::{
 /// The nearest that anything is seen, in radii of the model; points come no nearer than 1/4.
 const NEAR: f32 = 0.125;
 
+/// Dark, and no model's own black.
+const BACKGROUND: Rgb = Rgb::new(16, 24, 48);
+
 /// Draws `view` of a model whose parts are `parts` into `picture`.
 pub(crate) fn render(
     view: &View,
@@ -45,10 +48,11 @@ fn draw<F: Format>(
     let mut depth = vec![0; size.pixels()];
     let mut frame =
         Frame::<F>::new(&mut pixels, Size::new(size.width, size.height))?.with_depth(&mut depth)?;
-    frame.clear(Rgb::BLACK);
+    frame.clear(BACKGROUND);
     let camera = Camera::perspective(Angle::from_radians(2.0 * View::HALF_FIELD as f32), NEAR);
     let [x, y, z] = view.center.map(|middle| middle as f32);
-    let model = Mat4::translation(Vec3::new(0.0, 0.0, -view.distance as f32))
+    let [right, up] = view.shift.map(|shift| shift as f32);
+    let model = Mat4::translation(Vec3::new(right, up, -view.distance as f32))
         * Mat4::rotation_x(Angle::from_radians(view.pitch as f32))
         * Mat4::rotation_y(Angle::from_radians(view.yaw as f32))
         * Mat4::scale(Vec3::splat(view.scale as f32))

@@ -7,7 +7,8 @@ use microraster::host::Model;
 /// A model, how it is drawn and from where.
 ///
 /// The camera lies on the z axis and looks towards its negative end, y is up. A point p of the
-/// model lies at `pitch(yaw((p - center) * scale))` and [`distance`](Self::distance) behind.
+/// model lies at `pitch(yaw((p - center) * scale))`, moved by [`shift`](Self::shift) and
+/// [`distance`](Self::distance) behind.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View<'a> {
     pub(crate) model: &'a Model,
@@ -23,6 +24,8 @@ pub(crate) struct View<'a> {
     pub(crate) yaw: f64,
     /// Rotation about x after it, in radians.
     pub(crate) pitch: f64,
+    /// To the right and up, so that what is seen is in the middle of the picture.
+    pub(crate) shift: [f64; 2],
     /// From the camera to the middle.
     pub(crate) distance: f64,
 }
@@ -40,7 +43,10 @@ impl<'a> View<'a> {
     /// The nearest that a point of the model comes to the camera, in radii of the model.
     const NEAREST: f64 = 0.25;
 
-    /// The views of all pictures, at one distance: the least from which the model fits in all.
+    /// Steps in which the fit is made; four are enough for all models seen so far.
+    const STEPS: usize = 8;
+
+    /// The views of all pictures, from one place: the nearest from which the model fits in all.
     pub(crate) fn all(arguments: &Arguments, model: &'a Model) -> Result<Vec<Self>, String> {
         for (name, angle) in [("yaw", arguments.yaw), ("pitch", arguments.pitch)] {
             if !angle.is_finite() || angle.abs() > 36_000.0 {
@@ -62,6 +68,7 @@ impl<'a> View<'a> {
             scale: 1.0,
             yaw: f64::from(arguments.yaw).to_radians(),
             pitch: f64::from(arguments.pitch).to_radians(),
+            shift: [0.0; 2],
             distance: 0.0,
         };
         let radius = view.placed().map(length).fold(0.0, f64::max);
@@ -77,9 +84,8 @@ impl<'a> View<'a> {
                 Self { yaw: view.yaw + turn, ..view }
             })
             .collect();
-        let fitting = views.iter().map(|view| view.fitting(arguments.size));
-        let distance = fitting.fold(1.0, f64::max);
-        Ok(views.into_iter().map(|view| Self { distance, ..view }).collect())
+        let (shift, distance) = Self::fitting(&views, arguments.size);
+        Ok(views.into_iter().map(|view| Self { shift, distance, ..view }).collect())
     }
 
     /// Where a point of the model lies, the middle of the model being the origin.
@@ -101,18 +107,83 @@ impl<'a> View<'a> {
         self.model.positions.iter().map(|&point| self.place(point))
     }
 
-    /// The least distance from which every point lies within [`FILL`](Self::FILL) of the height
-    /// and [`FILL_ACROSS`](Self::FILL_ACROSS) of the width.
-    fn fitting(&self, size: PictureSize) -> f64 {
-        let up = Self::FILL * Self::HALF_FIELD.tan();
+    /// Where the middle goes so that the model, in all views together, is seen in the middle of
+    /// the picture and touches [`FILL`](Self::FILL) of the height or
+    /// [`FILL_ACROSS`](Self::FILL_ACROSS) of the width: a shift, and the distance.
+    fn fitting(views: &[Self], size: PictureSize) -> ([f64; 2], f64) {
         let aspect = f64::from(size.width) / f64::from(size.height);
+        let up = Self::FILL * Self::HALF_FIELD.tan();
         let across = Self::FILL_ACROSS * Self::HALF_FIELD.tan() * aspect;
-        self.placed()
-            .map(|[x, y, z]| {
-                let room = (y.abs() / up).max(x.abs() / across);
-                z + room.max(Self::NEAREST)
-            })
-            .fold(0.0, f64::max)
+        let points = || views.iter().flat_map(Self::placed);
+
+        let mut slopes = [1.0 / across, 1.0 / up];
+        let mut sides = Extent::of(points(), slopes);
+        let nearest = points().map(|[_, _, z]| z).fold(0.0, f64::max) + Self::NEAREST;
+        let distance = sides.iter().map(Extent::distance).fold(nearest.max(1.0), f64::max);
+
+        // The side that decided fills its part of the picture. The other one fills less: so much
+        // that it too fits from this distance and no nearer. That is a root of a convex function
+        // that is made of straight pieces, which Newton's method finds in a few steps.
+        for _ in 0..Self::STEPS {
+            for (slope, side) in slopes.iter_mut().zip(&sides) {
+                if side.growth() > 0.0 {
+                    *slope += (distance - side.distance()) / side.growth();
+                }
+            }
+            sides = Extent::of(points(), slopes);
+        }
+        ([0, 1].map(|side| sides[side].shift(slopes[side])), distance)
+    }
+}
+
+/// A point that limits how near the camera may come.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    /// How far from the axis it lies.
+    along: f64,
+    /// The camera's distance from which it is seen at the edge.
+    distance: f64,
+}
+
+/// The ends of what is seen along one side of the picture. The edge is where the distance from the
+/// camera is a slope times that from the axis.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    low: End,
+    high: End,
+}
+
+impl Extent {
+    /// The ends along both sides.
+    fn of(points: impl Iterator<Item = [f64; 3]>, slopes: [f64; 2]) -> [Self; 2] {
+        let none = End { along: 0.0, distance: f64::NEG_INFINITY };
+        let mut sides = [Self { low: none, high: none }; 2];
+        for [x, y, z] in points {
+            for ((side, along), slope) in sides.iter_mut().zip([x, y]).zip(slopes) {
+                for (end, out) in [(&mut side.low, -along), (&mut side.high, along)] {
+                    let distance = z + out * slope;
+                    if distance > end.distance {
+                        *end = End { along, distance };
+                    }
+                }
+            }
+        }
+        sides
+    }
+
+    /// From where both ends are seen at the edges, after the shift.
+    fn distance(&self) -> f64 {
+        (self.low.distance + self.high.distance) / 2.0
+    }
+
+    /// By how much that distance grows with the slope.
+    fn growth(&self) -> f64 {
+        (self.high.along - self.low.along) / 2.0
+    }
+
+    /// What brings both ends to the edges at the same distance.
+    fn shift(&self, slope: f64) -> f64 {
+        (self.low.distance - self.high.distance) / (2.0 * slope)
     }
 }
 

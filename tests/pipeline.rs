@@ -394,7 +394,7 @@ fn a_discarded_pixel_keeps_its_colour_and_its_depth_and_is_not_counted() {
     let [red, blue] = [0xFF00_00FF_u32, 0xFFFF_0000];
     for (i, (pixel, code)) in pixels.iter().zip(&depth).enumerate() {
         let (x, y) = (i % 64, i / 64);
-        let expected = match (x < 20, (x + y) % 2 == 0) {
+        let expected = match (x < 20, (x + y).is_multiple_of(2)) {
             (true, _) => (red, 40_000),
             (false, true) => (u32::MAX, 30_000),
             (false, false) => (blue, 0),
@@ -407,7 +407,7 @@ fn a_discarded_pixel_keeps_its_colour_and_its_depth_and_is_not_counted() {
     let mut frame = Frame::<Rgba8888>::new(&mut pixels, SIZE).expect("the buffer fits");
     let mut stats = Stats::default();
     ScreenPass::new().count(&mut stats).triangle(&mut frame, &Chequered, &triangle);
-    let kept = |i: usize| (i % 64 + i / 64) % 2 == 0;
+    let kept = |i: usize| (i % 64 + i / 64).is_multiple_of(2);
     assert!(
         pixels.iter().enumerate().all(|(i, p)| *p == if kept(i) { u32::MAX } else { 0 }),
         "every other pixel"

@@ -62,9 +62,12 @@ pub(crate) struct Mapping {
 /// How far from the viewport's centre a corner may lie, in subpixels.
 const GUARD_BITS: i32 = GUARD * SUBPIXELS;
 
+/// Depth codes from the far end to the near plane.
+const DEPTHS: u32 = 65_531;
+
 const _: () = assert!((Clip::LIMIT as u32 - 1).leading_zeros() >= 2, "a shift by w's room");
-const _: () = assert!(65_531_u64 << 14 < 1 << 31, "a factor of a high product");
-const _: () = assert!(2 + 65_531 <= u16::MAX as u32, "depth codes");
+const _: () = assert!((DEPTHS as u64) << 14 < 1 << 31, "a factor of a high product");
+const _: () = assert!(2 + DEPTHS <= u16::MAX as u32, "depth codes");
 
 impl Mapping {
     /// The mapping to a viewport of this size whose upper left corner is the pixel (`left`, `top`).
@@ -172,7 +175,7 @@ impl Mapping {
             let z = clip.z.min(clip.w).max(0) as u32;
             let ratio =
                 mul_high_31(z.wrapping_shl(60_u32.wrapping_sub(over_w.shift)), over_w.mantissa);
-            mul_high_31(ratio << 3, 65531 << 14) >> 12
+            mul_high_31(ratio << 3, DEPTHS << 14) >> 12
         };
         (twice.wrapping_add(1) >> 1).wrapping_add(2).min(65535) as u16
     }

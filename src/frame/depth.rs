@@ -108,10 +108,6 @@ impl Supplies<ReadWrite> for DepthBuffer<'_> {
     #[inline(always)]
     fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<&mut [u16]> {
         let start = row.wrapping_mul(self.stride).wrapping_add(left);
-        let rest = self.codes.get_mut(start..)?;
-        if length > rest.len() {
-            return None;
-        }
-        Some(rest.split_at_mut(length).0)
+        self.codes.get_mut(start..start.wrapping_add(length))
     }
 }

@@ -121,13 +121,18 @@ fn smooth_planes(
         };
         [plane(blue_value, &blue), plane(red_value, &red)]
     });
+    let green = gradients.slopes(high(b.green, a.green), high(c.green, a.green));
     SmoothColorPlanes {
         blue_red: gradients.plane_at(
             packed(blue_value, red_value),
             packed_slope(blue.dx, red.dx),
             packed_slope(blue.dy, red.dy),
         ),
-        green: gradients.plane_from(a.green, high(b.green, a.green), high(c.green, a.green)),
+        green: gradients.plane_at(
+            value(a.green, &green),
+            green.dx.cast_unsigned(),
+            green.dy.cast_unsigned(),
+        ),
         fine,
     }
 }

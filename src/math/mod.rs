@@ -52,7 +52,7 @@ pub use angle_units::AngleUnits;
 pub use inverse_sqrt::{inverse_sqrt, InverseSqrt};
 pub(crate) use mat4::sum_of_products;
 pub use mat4::Mat4;
-pub(crate) use reciprocal::reciprocal_of_some;
+pub(crate) use reciprocal::{inlined_reciprocal_of_some, reciprocal_of_some};
 pub use reciprocal::{reciprocal, Reciprocal};
 pub use sqrt::sqrt;
 pub use vec2::Vec2;

@@ -57,6 +57,12 @@ pub fn reciprocal(n: u32) -> Reciprocal {
 /// The same for what is known not to be zero (of which it makes nonsense).
 #[inline(never)]
 pub(crate) fn reciprocal_of_some(n: u32) -> Reciprocal {
+    inlined_reciprocal_of_some(n)
+}
+
+/// The same in place: for what is done once a triangle, and not much longer than the call.
+#[inline(always)]
+pub(crate) fn inlined_reciprocal_of_some(n: u32) -> Reciprocal {
     let leading_zeros = n.leading_zeros();
     // f = normal / 2^32, in [1/2, 1).
     let normal = n.wrapping_shl(leading_zeros);

@@ -1,5 +1,5 @@
 use super::{Plane, Triangle};
-use crate::math::{mul_high_signed, reciprocal, weight, weighted_sum};
+use crate::math::{inlined_reciprocal_of_some, mul_high_signed, reciprocal, weight, weighted_sum};
 
 /// What the attribute planes of one triangle share: its sides and the reciprocal of its area.
 ///
@@ -83,7 +83,8 @@ impl Gradients {
         let longest = (bits(x1) | bits(y1) | bits(x2) | bits(y2)).cast_unsigned();
         let area = triangle.area as u32;
         if longest < SHORT_SIDE && area >= longest.wrapping_mul(longest) >> THICK {
-            let reciprocal = reciprocal(area);
+            // An area that is not above zero was not oriented: none of it is drawn.
+            let reciprocal = inlined_reciprocal_of_some(area);
             // Sides below 2^28, so that weights are below 2^27; side / area is
             // weight 2^(32 - room - shift). Sums lose 16 bits, slopes have 16 more and count
             // pixels of 16 subpixels, which leaves a shift that is never to the right.

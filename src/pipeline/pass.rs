@@ -8,7 +8,7 @@ use super::{Clip, Cull, CulledWindings, VertexCache, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies, MAX_SIDE};
 use crate::math::Mat4;
-use crate::raster::{SpanBatch, Traversal};
+use crate::raster::{SpanBatch, Traversal, GUARD, SUBPIXELS};
 use crate::scene::{Camera, Mesh, Topology, Vertices};
 use crate::shade::{
     Corner, Counter, Counting, DepthTest, DrawContext, Event, Shader, State, States, Stats, Varying,
@@ -113,6 +113,11 @@ impl<S> Pass<'_, S> {
 
 /// The largest coordinate of a viewport: far beyond any picture, and nothing overflows.
 const FARTHEST: u32 = 1 << 16;
+
+const _: () = assert!(
+    (FARTHEST as i64 + MAX_SIDE as i64 + 2 * GUARD as i64) * (SUBPIXELS as i64) < i32::MAX as i64,
+    "corners about a viewport so far away have coordinates"
+);
 
 impl<S: State> Pass<'_, S> {
     /// Draws a mesh: `model` leads from its own space to the world.

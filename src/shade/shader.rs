@@ -26,7 +26,7 @@ impl DrawContext {
 
 /// Makes pixels of triangles: two short methods, and more for those who want it.
 ///
-/// Methods take `&self`: uniforms are fields. See `examples/shader.rs` for one of a user's kind.
+/// Methods take `&self`: uniforms are fields. See `examples/shader/toon.rs` for one of a user's kind.
 ///
 /// # Cost
 /// [`prepare`](Self::prepare) runs once a draw, [`vertex`](Self::vertex) once a vertex of

@@ -277,7 +277,8 @@ impl Fan {
     }
 
     /// Rounding to the subpixel grid may make a convex polygon a little concave. About some corner
-    /// its triangles still all turn the same way, and then they cover each pixel once.
+    /// its triangles nearly always still all turn the same way, and then they cover each pixel once;
+    /// where rounding bends both ends of a very thin one, some pixels are drawn twice.
     fn choose_apex(&mut self) {
         for apex in (0..self.length).rev() {
             self.apex = apex;

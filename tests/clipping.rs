@@ -10,10 +10,10 @@ mod support;
 
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::{
-    Camera, Clip, Color, Corner, Cull, DrawContext, Flat, FlatColor, Frame, Gouraud, Mesh, Pass,
-    Rgb, Rgba8888, Shader, Size, SmoothColor, Stats, MAX_SIDE,
+    Camera, Color, Cull, DrawContext, Flat, FlatColor, Frame, Gouraud, Mesh, Pass, Rgb, Rgba8888,
+    Shader, Size, SmoothColor, Stats, MAX_SIDE,
 };
-use support::Random;
+use support::{InClipSpace, Random};
 
 /// The colours of a picture, and what was counted.
 fn drawn(size: Size, draw: impl FnOnce(&mut Frame<'_, Rgba8888>, &mut Stats)) -> (Vec<u32>, Stats) {
@@ -188,30 +188,6 @@ fn both_sides_of_a_triangle_that_is_cut_are_told_apart() {
         clipped += all.clipped;
     }
     assert!(clipped > 300, "hardly tested: {clipped}");
-}
-
-/// Positions in clip space as they come.
-struct InClipSpace;
-
-impl Shader for InClipSpace {
-    type Vertex = [i32; 4];
-    type Varying = FlatColor;
-    type Prepared = ();
-    const OWN_POSITIONS: bool = true;
-
-    fn prepare(&self, _: &DrawContext) {}
-
-    fn position(&self, (): &(), [x, y, z, w]: &[i32; 4]) -> Option<Clip> {
-        Clip::new(*x, *y, *z, *w)
-    }
-
-    fn vertex(&self, (): &(), _: &[i32; 4]) -> Corner<FlatColor> {
-        Rgb::WHITE.into()
-    }
-
-    fn fragment(&self, varying: &FlatColor) -> Option<Color> {
-        Some(varying.color())
-    }
 }
 
 #[test]

@@ -10,10 +10,9 @@ mod support;
 
 use microraster::math::{AngleUnits, Mat4, Vec3, Vec4};
 use microraster::{
-    Always, Camera, Clip, Color, DrawContext, Flat, FlatColor, Frame, Mesh, Pass, Rgb, Rgb565,
-    Shader, Size, Stats, Topology,
+    Always, Camera, Flat, Frame, Mesh, Pass, Rgb, Rgb565, Shader, Size, Stats, Topology,
 };
-use support::Random;
+use support::{InClipSpace, Random};
 
 const SIZE: Size = Size::new(32, 32);
 
@@ -31,30 +30,6 @@ fn codes<H: Shader>(
     Pass::new(camera).depth(Always).count(&mut stats).draw(&mut frame, model, mesh, shader);
     assert_eq!(stats.skipped, 0, "what is drawn is in range");
     depth
-}
-
-/// Positions in clip space as they come.
-struct InClipSpace;
-
-impl Shader for InClipSpace {
-    type Vertex = [i32; 4];
-    type Varying = FlatColor;
-    type Prepared = ();
-    const OWN_POSITIONS: bool = true;
-
-    fn prepare(&self, _: &DrawContext) {}
-
-    fn position(&self, (): &(), [x, y, z, w]: &[i32; 4]) -> Option<Clip> {
-        Clip::new(*x, *y, *z, *w)
-    }
-
-    fn vertex(&self, (): &(), _: &[i32; 4]) -> Color {
-        Rgb::WHITE.into()
-    }
-
-    fn fragment(&self, varying: &FlatColor) -> Option<Color> {
-        Some(varying.color())
-    }
 }
 
 /// Rounded to nearest, and a thousandth that the division may be off.

@@ -14,11 +14,11 @@ use microraster::models::TEAPOT;
 use microraster::raster::AnyTraversal;
 use microraster::raster::ScreenVertex;
 use microraster::{
-    AnyDepth, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, FlatColor, Frame, FrameError,
-    Gouraud, Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Scalar,
-    ScreenPass, Shader, Size, SmoothColor, Stats, Topology, VertexCache,
+    AnyDepth, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, Frame, FrameError, Gouraud,
+    Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Scalar, ScreenPass,
+    Shader, Size, SmoothColor, Stats, Topology, VertexCache,
 };
-use support::Random;
+use support::{InClipSpace, Random};
 
 const SIZE: Size = Size::new(64, 48);
 const PIXELS: usize = 64 * 48;
@@ -228,30 +228,6 @@ fn a_matrix_that_is_not_finite_skips_all_triangles_whichever_element_it_is() {
     }
 }
 
-/// Positions as they come.
-struct OwnPositions;
-
-impl Shader for OwnPositions {
-    type Vertex = [i32; 4];
-    type Varying = FlatColor;
-    type Prepared = ();
-    const OWN_POSITIONS: bool = true;
-
-    fn prepare(&self, _: &DrawContext) {}
-
-    fn position(&self, (): &(), [x, y, z, w]: &[i32; 4]) -> Option<Clip> {
-        Clip::new(*x, *y, *z, *w)
-    }
-
-    fn vertex(&self, (): &(), _: &[i32; 4]) -> Corner<FlatColor> {
-        Rgb::WHITE.into()
-    }
-
-    fn fragment(&self, varying: &FlatColor) -> Option<Color> {
-        Some(varying.color())
-    }
-}
-
 #[test]
 fn any_numbers_are_drawn_or_counted_and_never_panic() {
     let mut random = Random(41);
@@ -268,7 +244,7 @@ fn any_numbers_are_drawn_or_counted_and_never_panic() {
         teapot(|frame| {
             let camera = Camera::custom(Mat4::identity());
             let mut pass = Pass::new(&camera).depth(LessEqual).count(&mut stats);
-            pass.draw(frame, &Mat4::identity(), &Mesh::new(&[], &vertices), &OwnPositions);
+            pass.draw(frame, &Mat4::identity(), &Mesh::new(&[], &vertices), &InClipSpace);
         });
         let Stats { triangles, culled, degenerate, outside, skipped, .. } = stats;
         assert_eq!(triangles, 2, "two came in");

@@ -1,4 +1,4 @@
-use super::{LongEdge, Point, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
+use super::{Edge, LongEdge, Point, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
 
 /// A line one pixel wide, from a first corner to a last one, by the diamond-exit rule.

@@ -1,4 +1,4 @@
-use super::Point;
+use super::{Edge, Point};
 use crate::math::{mul_high_31, reciprocal, Reciprocal, BY_HALVES};
 
 /// An edge of a triangle of any size, walked by one addition of 64 bits a row: exact all the same.
@@ -109,17 +109,17 @@ impl LongEdge {
         let from = i64::from(a.x.wrapping_sub(8)).wrapping_shl(FRACTION - 4);
         Self { x: from.wrapping_add(along).wrapping_add(ROUND_UP), step }
     }
+}
 
-    /// The first column whose centre is not left of the edge.
+impl Edge for LongEdge {
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "columns are in the square of corners")]
-    pub(crate) const fn column(&self) -> i32 {
+    fn column(&self) -> i32 {
         (self.x >> FRACTION) as i32
     }
 
-    /// Goes one row down.
     #[inline(always)]
-    pub(crate) fn step(&mut self) {
+    fn step(&mut self) {
         self.x = self.x.wrapping_add(self.step);
     }
 }

@@ -12,6 +12,7 @@
 //! the rule per row with exact integers; [`Gradients`] makes attribute planes.
 
 mod coverage;
+mod edge;
 mod gradients;
 mod line;
 mod long_edge;
@@ -25,6 +26,7 @@ mod traversal;
 mod triangle;
 
 pub use coverage::{Scanline, Span, SpanBatch, SpanWalk, Traversal};
+pub(crate) use edge::Edge;
 pub use gradients::Gradients;
 pub(crate) use gradients::Slopes;
 pub(crate) use line::Line;

@@ -1,4 +1,4 @@
-use super::Point;
+use super::{Edge, Point};
 use crate::math::{wide_product, BY_HALVES};
 
 /// An edge of a short triangle, walked by one addition a row: exact all the same.
@@ -73,16 +73,16 @@ impl ShortEdge {
         let from = a.x.wrapping_sub(8).wrapping_mul(1 << (FRACTION - 4));
         Self { x: from.wrapping_add(along).wrapping_add(ROUND_UP), step }
     }
+}
 
-    /// The first column whose centre is not left of the edge.
+impl Edge for ShortEdge {
     #[inline(always)]
-    pub(super) const fn column(&self) -> i32 {
+    fn column(&self) -> i32 {
         self.x >> FRACTION
     }
 
-    /// Goes one row down.
     #[inline(always)]
-    pub(super) fn step(&mut self) {
+    fn step(&mut self) {
         self.x = self.x.wrapping_add(self.step);
     }
 }

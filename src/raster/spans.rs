@@ -1,5 +1,5 @@
 use super::short_edge::{ShortEdge, TALLEST, WIDEST};
-use super::{LongEdge, Point, Span, SpanBatch, SpanWalk, Triangle};
+use super::{Edge, LongEdge, Point, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
 
 /// A triangle walked row by row: each row's first and last covered pixel by an exact integer walk along
@@ -28,38 +28,6 @@ pub struct Spans {
 #[inline(always)]
 const fn first_center(bits: i32) -> i32 {
     bits.wrapping_add(7) >> 4
-}
-
-/// An edge that gives one column a row.
-trait Edge {
-    /// The first column whose centre is not left of the edge.
-    fn column(&self) -> i32;
-    /// Goes one row down.
-    fn step(&mut self);
-}
-
-impl Edge for ShortEdge {
-    #[inline(always)]
-    fn column(&self) -> i32 {
-        Self::column(self)
-    }
-
-    #[inline(always)]
-    fn step(&mut self) {
-        Self::step(self);
-    }
-}
-
-impl Edge for LongEdge {
-    #[inline(always)]
-    fn column(&self) -> i32 {
-        Self::column(self)
-    }
-
-    #[inline(always)]
-    fn step(&mut self) {
-        Self::step(self);
-    }
 }
 
 /// Takes the rows from `y` to `end` between two edges: those that hold a pixel, while there are

@@ -8,7 +8,7 @@
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use microraster::raster::{ScreenVertex, GUARD};
-use microraster::Size;
+use microraster::{Clip, Color, DrawContext, FlatColor, Rgb, Shader, Size};
 
 /// A small generator (SplitMix64): the same numbers on every machine.
 pub(crate) struct Random(pub(crate) u64);
@@ -77,4 +77,28 @@ pub(crate) fn covers(v: &[ScreenVertex; 3], x: i32, y: i32) -> bool {
         let left = dy < 0;
         edge >= i64::from(!(top || left))
     })
+}
+
+/// Draws white triangles whose positions come in clip space, as they are.
+pub(crate) struct InClipSpace;
+
+impl Shader for InClipSpace {
+    type Vertex = [i32; 4];
+    type Varying = FlatColor;
+    type Prepared = ();
+    const OWN_POSITIONS: bool = true;
+
+    fn prepare(&self, _: &DrawContext) {}
+
+    fn position(&self, (): &(), [x, y, z, w]: &[i32; 4]) -> Option<Clip> {
+        Clip::new(*x, *y, *z, *w)
+    }
+
+    fn vertex(&self, (): &(), _: &[i32; 4]) -> Color {
+        Rgb::WHITE.into()
+    }
+
+    fn fragment(&self, varying: &FlatColor) -> Option<Color> {
+        Some(varying.color())
+    }
 }

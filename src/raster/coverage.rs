@@ -6,7 +6,7 @@ use crate::frame::Rect;
 pub struct Span {
     /// The row.
     pub y: i32,
-    /// The row's first covered pixel before any scissor: where stepping is anchored, so that no
+    /// The row's first covered pixel before any scissor: where pieces are counted from, so that no
     /// scissor changes a bit. At most `left`.
     pub first: i32,
     /// The first pixel to draw.

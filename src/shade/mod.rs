@@ -32,7 +32,7 @@ pub use interpolated::{Interpolated, Words};
 pub use lambert::{Lambert, PreparedLambert};
 pub use perspective::{
     Adaptive, Affine, AffineValue, Every, Exact, ExactStep, ExactValue, Interval, Perspective,
-    PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, SubspanPlanes,
+    PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, Subspan,
     SubspanValue,
 };
 pub use row::Row;
@@ -46,5 +46,5 @@ pub use state::{
     LessEqual, NotEqual, Off, State, States, Stats, Uncounted,
 };
 pub use uv::{Uv, UvBase, UvPlanes, UvStep};
-pub use varying::{Corner, Varying};
+pub use varying::{Corner, Stepped, Varying};
 pub use vertex_colors::VertexColors;

@@ -3,7 +3,7 @@ use core::ops::Deref;
 
 use super::planes::mix;
 use super::{PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying};
-use crate::math::mul_high_signed;
+use crate::math::{mul_high_signed, reciprocal_of_some, Reciprocal};
 use crate::raster::{Gradients, Plane, Span};
 use crate::shade::{Corner, Interpolated, Stepped, Varying, Words};
 
@@ -11,11 +11,12 @@ use crate::shade::{Corner, Interpolated, Stepped, Varying, Words};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Every<const N: i32>;
 
-/// Knots as near as they have to be: `2^k` columns apart, at most 16, such that the error stays
-/// below a quarter of what a pixel covers.
+/// Knots as near as they have to be: `2^k` columns apart, such that the error stays below a quarter
+/// of what a pixel covers.
 ///
-/// In each 16 columns of the picture `N` is the largest power of two with `N^2 |dq| <= q`, where q
-/// is 1 / w, the smaller of its two at the ends, and dq what it changes by from pixel to pixel.
+/// `N` is the largest power of two up to 128 with `N^2 |dq| <= q` in the whole row, where q is 1 / w
+/// and dq what it changes by from pixel to pixel: floors and walls that run across the view need few
+/// knots. Where that is less than 16, it is chosen anew for each 16 columns of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Adaptive;
 
@@ -23,34 +24,30 @@ pub struct Adaptive;
 pub trait Interval: Copy {
     /// The power of two in the columns from `from` to `to` of row `y`.
     fn exponent(q: &Plane, y: i32, from: i32, to: i32) -> u32;
-    /// The largest of them.
-    const LARGEST: u32;
-    /// Whether all are the same.
-    const IS_FIXED: bool;
+    /// The least that a whole row may have; below it is chosen for each cell of so many columns.
+    const CELL: u32;
 }
 
 impl<const N: i32> Interval for Every<N> {
-    const LARGEST: u32 = {
+    const CELL: u32 = {
         assert!(4 <= N && N <= 32 && N.count_ones() == 1, "a power of two from 4 to 32");
         N.trailing_zeros()
     };
-    const IS_FIXED: bool = true;
 
     #[inline(always)]
     fn exponent(_: &Plane, _y: i32, _from: i32, _to: i32) -> u32 {
-        Self::LARGEST
+        Self::CELL
     }
 }
 
 impl Interval for Adaptive {
-    const LARGEST: u32 = 4;
-    const IS_FIXED: bool = false;
+    const CELL: u32 = 4;
 
     #[inline(always)]
     fn exponent(q: &Plane, y: i32, from: i32, to: i32) -> u32 {
         let least = q.at(from, y).min(q.at(to, y));
         let change = q.dx.cast_signed().unsigned_abs();
-        let mut exponent = Self::LARGEST;
+        let mut exponent = 7;
         while exponent > 0 && change > least >> (2 * exponent) {
             exponent -= 1;
         }
@@ -87,22 +84,10 @@ pub struct Subspan<W> {
     to: W,
     /// The first pixel behind the run.
     end: i32,
-    /// Whether knots lie as far apart as they may in the whole row.
+    /// Whether knots lie as far apart in the whole row.
     is_even: bool,
     exponent: u32,
 }
-
-/// 2^31 / n for runs that end at a row's last pixel.
-#[allow(clippy::cast_possible_truncation, reason = "below 2^31")]
-static INVERSES: [u32; 32] = {
-    let mut inverses = [0; 32];
-    let mut n = 2;
-    while n < 32 {
-        inverses[n] = ((1_u64 << 31) / n as u64) as u32;
-        n += 1;
-    }
-    inverses
-};
 
 impl<V, I> Deref for SubspanValue<V, I> {
     type Target = V;
@@ -165,7 +150,7 @@ impl<V: Interpolated, I: Interval> Varying for SubspanValue<V, I> {
     fn runs(planes: &PerspectivePlanes<V>, span: &Span) -> Subspan<V::Words> {
         let Span { y, first, left, behind, .. } = *span;
         let row = I::exponent(&planes.q, y, first, behind.wrapping_sub(1));
-        let is_even = I::IS_FIXED || row == I::LARGEST;
+        let is_even = row >= I::CELL;
         // The knot at or before the first pixel that is drawn.
         let exponent = if is_even { row } else { cell_exponent::<I>(&planes.q, span, left) };
         let start = (left >> exponent << exponent).max(first);
@@ -182,7 +167,7 @@ impl<V: Interpolated, I: Interval> Varying for SubspanValue<V, I> {
     ) -> (Self, V::Step, i32) {
         let y = span.y;
         if x >= runs.end {
-            if !runs.is_even && x & 15 == 0 {
+            if !runs.is_even && x & ((1 << I::CELL) - 1) == 0 {
                 runs.exponent = cell_exponent::<I>(&planes.q, span, x);
             }
             let exponent = runs.exponent;
@@ -219,12 +204,12 @@ impl<V: Interpolated, I: Interval> Varying for SubspanValue<V, I> {
     }
 }
 
-/// The power of two in the 16 columns that hold column `x`.
+/// The power of two in the cell that holds column `x`.
 #[inline(never)]
 fn cell_exponent<I: Interval>(q: &Plane, span: &Span, x: i32) -> u32 {
-    let cell = x & !15;
-    let last = span.behind.wrapping_sub(1);
-    I::exponent(q, span.y, cell.max(span.first), cell.wrapping_add(16).min(last))
+    let cell = x >> I::CELL << I::CELL;
+    let (next, last) = (cell.wrapping_add(1 << I::CELL), span.behind.wrapping_sub(1));
+    I::exponent(q, span.y, cell.max(span.first), next.min(last)).min(I::CELL)
 }
 
 /// Steps of a run that is shorter than knots are apart.
@@ -233,8 +218,10 @@ fn short_steps<W: Words>(change: W, length: i32) -> W {
     if length < 2 {
         return change;
     }
-    let inverse = INVERSES.get(length as usize).copied().unwrap_or(0);
+    let Reciprocal { mantissa, shift } = reciprocal_of_some(length.cast_unsigned());
     change.map(|change| {
-        mul_high_signed(change.cast_signed(), inverse).wrapping_shl(1).cast_unsigned()
+        let step = mul_high_signed(change.cast_signed(), mantissa);
+        // The length is below 2^8, so that 32 of the shift's at most 62 are not too many.
+        step.wrapping_shr(shift.wrapping_sub(32)).cast_unsigned()
     })
 }

@@ -45,13 +45,17 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{Clip, Cull, Pass, ScreenPass, ShadedVertex, VertexCache, Winding};
-pub use scene::{normal, AnyTopology, Camera, IndexedList, Light, List, Mesh, Normal, Topology};
+pub use scene::{
+    normal, AnyLightKind, AnyTopology, Attenuation, Camera, DirectionalLight, IndexedList, Light,
+    List, Mesh, Normal, PointLight, SpotLight, Topology,
+};
 pub use shade::{
-    Adaptive, Affine, Always, AnyDepth, Coloring, Constant, Corner, Counter, Counting, DepthTest,
-    DrawContext, Equal, Every, Exact, Flat, FlatColor, Gouraud, Greater, GreaterEqual,
-    Interpolated, Lambert, Less, LessEqual, NotEqual, Off, Perspective, PerspectiveCorner,
-    PerspectiveMode, PerspectiveVarying, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State,
-    States, Stats, Stepped, Uncounted, Uv, UvStep, Varying, VertexColors, VertexInput,
+    Adaptive, Affine, Always, AnyDepth, BlinnPhong, Coloring, Constant, Corner, Counter, Counting,
+    DepthTest, DrawContext, Equal, Every, Exact, Flat, FlatColor, Gouraud, Greater, GreaterEqual,
+    Interpolated, Lambert, Less, LessEqual, LightKind, Lighting, NotEqual, Off, Perspective,
+    PerspectiveCorner, PerspectiveMode, PerspectiveVarying, Row, Scalar, Scalars, Shader,
+    SmoothColor, Solid, State, States, Stats, Stepped, Surface, Tinted, Uncounted, Uv, UvStep,
+    Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -10,7 +10,7 @@ mod flat;
 mod flat_color;
 mod gouraud;
 mod interpolated;
-mod lambert;
+mod lighting;
 mod perspective;
 mod row;
 mod scalar;
@@ -29,7 +29,10 @@ pub use flat::Flat;
 pub use flat_color::FlatColor;
 pub use gouraud::Gouraud;
 pub use interpolated::{Interpolated, Words};
-pub use lambert::{Lambert, PreparedLambert};
+pub use lighting::{
+    Beam, BlinnPhong, Lambert, LightKind, Lighting, PreparedAnyLight, PreparedBlinnPhong,
+    PreparedLambert, PreparedPoint, PreparedSpot, Surface, Tinted,
+};
 pub use perspective::{
     Adaptive, Affine, AffineValue, Every, Exact, ExactStep, ExactValue, Interval, Perspective,
     PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, Subspan,

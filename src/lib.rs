@@ -36,6 +36,7 @@ pub mod pipeline;
 pub mod raster;
 pub mod scene;
 pub mod shade;
+pub mod texture;
 
 #[cfg(feature = "std")]
 pub mod host;

@@ -48,10 +48,11 @@ pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{Clip, Cull, Pass, ScreenPass, ShadedVertex, VertexCache, Winding};
 pub use scene::{normal, AnyTopology, Camera, IndexedList, Light, List, Mesh, Normal, Topology};
 pub use shade::{
-    Always, AnyDepth, Coloring, Corner, Counter, Counting, DepthTest, DrawContext, Equal, Flat,
-    FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, NotEqual, Off, Row,
-    Scalar, Shader, SmoothColor, Solid, State, States, Stats, Uncounted, Varying, VertexColors,
-    VertexInput,
+    Adaptive, Affine, Always, AnyDepth, Coloring, Constant, Corner, Counter, Counting, DepthTest,
+    DrawContext, Equal, Every, Exact, Flat, FlatColor, Gouraud, Greater, GreaterEqual,
+    Interpolated, Lambert, Less, LessEqual, NotEqual, Off, Perspective, PerspectiveCorner,
+    PerspectiveMode, PerspectiveVarying, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State,
+    States, Stats, Uncounted, Uv, UvStep, Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

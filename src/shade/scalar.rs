@@ -1,5 +1,5 @@
 use super::varying::mix_word;
-use super::Varying;
+use super::{Interpolated, Varying};
 use crate::raster::{Gradients, Plane, Span};
 
 /// A 16-bit number over the triangle, 16.16 while it is interpolated: heights, weights, distances.
@@ -46,5 +46,30 @@ impl Varying for Scalar {
     #[inline(always)]
     fn mix([a, b, c]: [&u16; 3], u: i32, v: i32) -> u16 {
         mix_word((*a).into(), (*b).into(), (*c).into(), u, v).clamp(0, 65535) as u16
+    }
+}
+
+impl Interpolated for Scalar {
+    type Words = [u32; 1];
+    type Base = ();
+
+    #[inline(always)]
+    fn words(corners: &[u16; 3]) -> ([[u32; 1]; 3], ()) {
+        (corners.map(|corner| [corner.into()]), ())
+    }
+
+    #[inline(always)]
+    fn value((): &(), [word]: [u32; 1]) -> Self {
+        Self((word << 1).wrapping_add(0x8000))
+    }
+
+    #[inline(always)]
+    fn step_of((): &(), [right]: [u32; 1], _down: [u32; 1]) -> u32 {
+        right << 1
+    }
+
+    #[inline(always)]
+    fn jump(&mut self, step: &u32, pixels: i32) {
+        self.0 = self.0.wrapping_add(step.wrapping_mul(pixels.cast_unsigned()));
     }
 }

@@ -1,5 +1,5 @@
 use super::flat_color::mix_color;
-use super::Varying;
+use super::{Interpolated, Varying};
 use crate::color::Color;
 use crate::raster::{Gradients, Plane, Slopes, Span};
 
@@ -98,6 +98,40 @@ impl Varying for SmoothColor {
     #[inline(always)]
     fn mix(corners: [&Color; 3], u: i32, v: i32) -> Color {
         mix_color(corners, u, v)
+    }
+}
+
+impl Interpolated for SmoothColor {
+    /// Blue, green and red.
+    type Words = [u32; 3];
+    type Base = ();
+
+    #[inline(always)]
+    fn words(corners: &[Color; 3]) -> ([[u32; 3]; 3], ()) {
+        (
+            corners
+                .map(|Color { blue_red, green }| [blue_red >> 16, green >> 16, blue_red & 0xFFFF]),
+            (),
+        )
+    }
+
+    #[inline(always)]
+    fn value((): &(), words: [u32; 3]) -> Self {
+        let [blue, green, red] = words.map(|word| word << 1);
+        Self(Color { blue_red: (blue & 0xFFFF_0000) | red >> 16, green })
+    }
+
+    #[inline(always)]
+    fn step_of((): &(), right: [u32; 3], _down: [u32; 3]) -> (u32, u32) {
+        let [blue, green, red] = right.map(|word| word << 1);
+        (packed_slope(blue.cast_signed(), red.cast_signed()), green)
+    }
+
+    #[inline(always)]
+    fn jump(&mut self, (blue_red, green): &(u32, u32), pixels: i32) {
+        let pixels = pixels.cast_unsigned();
+        self.0.blue_red = self.0.blue_red.wrapping_add(blue_red.wrapping_mul(pixels));
+        self.0.green = self.0.green.wrapping_add(green.wrapping_mul(pixels));
     }
 }
 

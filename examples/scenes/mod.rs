@@ -8,6 +8,7 @@ pub(crate) mod grid;
 pub(crate) mod hash;
 pub(crate) mod model;
 pub(crate) mod standard;
+pub(crate) mod textured;
 pub(crate) mod toon;
 
 use microraster::{Color, VertexCache};
@@ -77,5 +78,6 @@ pub(crate) struct Scene<P> {
 
 /// All scenes.
 pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
-    standard::scenes().into_iter().chain(toon::scenes()).chain(golden::scenes())
+    let measured = standard::scenes().into_iter().chain(textured::scenes()).chain(toon::scenes());
+    measured.chain(golden::scenes())
 }

@@ -109,7 +109,7 @@ where
     #[inline(always)]
     fn fragment(&self, (surface, uv): &Self::Varying) -> Option<Color> {
         let color = self.surface.fragment(surface)?;
-        Some(self.environment.combine(self.sampler.sample(uv.u, uv.v), color))
+        Some(self.environment.combine(self.sampler.fetch(uv.u, uv.v)?, color))
     }
 
     #[inline(always)]
@@ -118,7 +118,7 @@ where
         let sampler = self.sampler.level(|| footprint(step));
         row.each(|(surface, uv)| {
             let color = self.surface.fragment(surface)?;
-            Some(self.environment.combine(sampler.sample(uv.u, uv.v), color))
+            Some(self.environment.combine(sampler.fetch(uv.u, uv.v)?, color))
         });
     }
 }

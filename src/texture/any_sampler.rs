@@ -65,9 +65,9 @@ macro_rules! formats {
                 *self
             }
 
-            fn sample(&self, u: i32, v: i32) -> Color {
+            fn fetch(&self, u: i32, v: i32) -> Option<Color> {
                 match self {
-                    $(Self::$name(sampler) => sampler.sample(u, v),)*
+                    $(Self::$name(sampler) => sampler.fetch(u, v),)*
                 }
             }
         }

@@ -3,7 +3,7 @@ use crate::color::Color;
 
 /// What a texture shows between the middles of its texels.
 pub trait Filter: Copy {
-    /// The colour at (`u`, `v`) of `texture`.
+    /// The colour at (`u`, `v`) of `texture`; `None` beyond its data, which checked sizes rule out.
     fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
         self,
         texture: &Texture<'_, T>,
@@ -11,7 +11,7 @@ pub trait Filter: Copy {
         axes: &[Axis; 2],
         u: i32,
         v: i32,
-    ) -> Color;
+    ) -> Option<Color>;
 }
 
 /// The texel in which the point lies.
@@ -30,9 +30,9 @@ impl Filter for Nearest {
         [u_axis, v_axis]: &[Axis; 2],
         u: i32,
         v: i32,
-    ) -> Color {
+    ) -> Option<Color> {
         let index = down.nearest(v_axis, v).wrapping_add(across.nearest(u_axis, u));
-        texture.texel(index).map_or(NOTHING, T::decode)
+        texture.texel(index).map(T::decode)
     }
 }
 
@@ -52,16 +52,13 @@ impl Filter for Bilinear {
         [u_axis, v_axis]: &[Axis; 2],
         u: i32,
         v: i32,
-    ) -> Color {
+    ) -> Option<Color> {
         let ([left, right], x) = across.pair(u_axis, u);
         let ([upper, lower], y) = down.pair(v_axis, v);
         let texel = |row: u32, column: u32| texture.texel(row.wrapping_add(column));
-        let (Some(a), Some(b), Some(c), Some(d)) =
-            (texel(upper, left), texel(upper, right), texel(lower, left), texel(lower, right))
-        else {
-            return NOTHING;
-        };
-        T::mix([a, b, c, d], Weights::new(x, y))
+        let (a, b) = (texel(upper, left)?, texel(upper, right)?);
+        let (c, d) = (texel(lower, left)?, texel(lower, right)?);
+        Some(T::mix([a, b, c, d], Weights::new(x, y)))
     }
 }
 
@@ -84,13 +81,10 @@ impl Filter for AnyFilter {
         axes: &[Axis; 2],
         u: i32,
         v: i32,
-    ) -> Color {
+    ) -> Option<Color> {
         match self {
             Self::Nearest => Nearest.sample(texture, wraps, axes, u, v),
             Self::Bilinear => Bilinear.sample(texture, wraps, axes, u, v),
         }
     }
 }
-
-/// What is shown instead of a texel beyond the data, which a checked texture never asks for.
-const NOTHING: Color = Color { blue_red: 0, green: 0 };

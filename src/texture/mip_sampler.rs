@@ -62,7 +62,7 @@ impl<'a, T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sample for MipSampler<'a, 
 
     /// From the largest picture.
     #[inline(always)]
-    fn sample(&self, u: i32, v: i32) -> Color {
-        self.at(0).sample(u, v)
+    fn fetch(&self, u: i32, v: i32) -> Option<Color> {
+        self.at(0).fetch(u, v)
     }
 }

@@ -9,6 +9,7 @@ pub trait Sample {
     /// What suits pixels of this footprint; `footprint` is made only where it is needed.
     fn level(&self, footprint: impl FnOnce() -> Footprint) -> Self::Level;
 
-    /// The colour at (`u`, `v`): the vertex's units with 16 fraction bits, wrapping.
-    fn sample(&self, u: i32, v: i32) -> Color;
+    /// The colour at (`u`, `v`): the vertex's units with 16 fraction bits, wrapping. `None` discards
+    /// the fragment, which only a sampler of your own does.
+    fn fetch(&self, u: i32, v: i32) -> Option<Color>;
 }

@@ -114,6 +114,13 @@ impl<'a, T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sampler<'a, T, F, U, V> {
     /// The colour at (`u`, `v`): the vertex's units with 16 fraction bits, wrapping.
     #[inline(always)]
     pub fn sample(&self, u: i32, v: i32) -> Color {
+        self.fetch(u, v).unwrap_or_default()
+    }
+
+    /// The same for the end of a fragment: `None`, which no checked texture gives, discards it. The
+    /// pixel loop has nothing else to draw then, and keeps texels packed where formats agree.
+    #[inline(always)]
+    pub fn fetch(&self, u: i32, v: i32) -> Option<Color> {
         self.filter.sample(&self.texture, self.wraps, &self.axes, u, v)
     }
 }
@@ -127,7 +134,7 @@ impl<T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sample for Sampler<'_, T, F, U
     }
 
     #[inline(always)]
-    fn sample(&self, u: i32, v: i32) -> Color {
-        self.sample(u, v)
+    fn fetch(&self, u: i32, v: i32) -> Option<Color> {
+        self.fetch(u, v)
     }
 }

@@ -53,7 +53,8 @@ pub use shade::{
     DrawContext, Equal, Every, Exact, Flat, FlatColor, Gouraud, Greater, GreaterEqual,
     Interpolated, Lambert, Less, LessEqual, NotEqual, Off, Perspective, PerspectiveCorner,
     PerspectiveMode, PerspectiveVarying, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State,
-    States, Stats, Textured, Uncounted, Unlit, Uv, UvStep, Varying, VertexColors, VertexInput,
+    States, Stats, Stepped, Textured, Uncounted, Unlit, Uv, UvStep, Varying, VertexColors,
+    VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -180,7 +180,7 @@ const fn palette_color<const N: usize>() -> [Color; N] {
 /// The half of a byte that holds a texel.
 fn half(words: &[u8], index: usize) -> usize {
     let pair = words[index / 2];
-    usize::from(if index % 2 == 0 { pair >> 4 } else { pair & 15 })
+    usize::from(if index.is_multiple_of(2) { pair >> 4 } else { pair & 15 })
 }
 
 /// Five bits are repeated into eight, floor(33/4 x) for 255/31 x: at most three quarters of a step is

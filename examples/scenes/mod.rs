@@ -78,6 +78,9 @@ pub(crate) struct Scene<P> {
 
 /// All scenes.
 pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
-    let measured = standard::scenes().into_iter().chain(textured::scenes()).chain(toon::scenes());
-    measured.chain(golden::scenes())
+    standard::scenes()
+        .into_iter()
+        .chain(toon::scenes())
+        .chain(textured::scenes())
+        .chain(golden::scenes())
 }

@@ -1,14 +1,21 @@
-use super::Varying;
+use super::{Stepped, Varying};
 use crate::raster::{Gradients, Span};
 
 /// A value of any kind that is the same for the whole triangle: the provoking corner's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Constant<T>(pub T);
 
+impl<T: Copy + Default> Stepped for Constant<T> {
+    type Step = ();
+
+    #[inline(always)]
+    fn step(&mut self, (): &()) {}
+}
+
 impl<T: Copy + Default> Varying for Constant<T> {
     type Corner = T;
     type Planes = T;
-    type Step = ();
+    type Runs = ();
 
     const INTERPOLATED: bool = false;
     const PIECE: i32 = 0;
@@ -20,12 +27,12 @@ impl<T: Copy + Default> Varying for Constant<T> {
     }
 
     #[inline(always)]
-    fn run(value: &mut T, _: &Span, _x: i32) -> (Self, (), i32) {
-        (Self(*value), (), i32::MAX)
-    }
+    fn runs(_: &T, _: &Span) {}
 
     #[inline(always)]
-    fn step(&mut self, (): &()) {}
+    fn run(value: &T, (): &mut (), _: &Span, _x: i32) -> (Self, (), i32) {
+        (Self(*value), (), i32::MAX)
+    }
 
     #[inline(always)]
     fn settle(_: &mut T, _x: i32, _y: i32) {}

@@ -1,6 +1,6 @@
 use core::fmt::Debug;
 
-use super::Varying;
+use super::{Stepped, Varying};
 use crate::raster::Plane;
 
 /// A varying that is made of words which may be interpolated in perspective: what
@@ -22,9 +22,10 @@ pub trait Interpolated: Varying {
     fn value(base: &Self::Base, words: Self::Words) -> Self;
 
     /// The step that adds so much to the words for each pixel to the right, and for one down.
-    fn step_of(base: &Self::Base, right: Self::Words, down: Self::Words) -> Self::Step;
+    fn step_of(base: &Self::Base, right: Self::Words, down: Self::Words)
+        -> <Self as Stepped>::Step;
 
-    /// Goes so many pixels to the right: the same bits as so many [steps](Varying::step).
+    /// Goes so many pixels to the right: the same bits as so many [steps](Stepped::step).
     fn jump(&mut self, step: &Self::Step, pixels: i32);
 }
 

@@ -34,7 +34,7 @@ pub use interpolated::{Interpolated, Words};
 pub use lambert::{Lambert, PreparedLambert};
 pub use perspective::{
     Adaptive, Affine, AffineValue, Every, Exact, ExactStep, ExactValue, Interval, Perspective,
-    PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, SubspanPlanes,
+    PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, Subspan,
     SubspanValue,
 };
 pub use row::Row;
@@ -50,5 +50,5 @@ pub use state::{
 pub use textured::Textured;
 pub use unlit::Unlit;
 pub use uv::{Uv, UvBase, UvPlanes, UvStep};
-pub use varying::{Corner, Varying};
+pub use varying::{Corner, Stepped, Varying};
 pub use vertex_colors::VertexColors;

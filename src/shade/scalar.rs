@@ -1,5 +1,5 @@
 use super::varying::mix_word;
-use super::{Interpolated, Varying};
+use super::{Interpolated, Stepped, Varying};
 use crate::raster::{Gradients, Plane, Span};
 
 /// A 16-bit number over the triangle, 16.16 while it is interpolated: heights, weights, distances.
@@ -14,10 +14,19 @@ impl Scalar {
     }
 }
 
+impl Stepped for Scalar {
+    type Step = u32;
+
+    #[inline(always)]
+    fn step(&mut self, step: &u32) {
+        self.0 = self.0.wrapping_add(*step);
+    }
+}
+
 impl Varying for Scalar {
     type Corner = u16;
     type Planes = Plane;
-    type Step = u32;
+    type Runs = ();
 
     const INTERPOLATED: bool = true;
     const PIECE: i32 = 0;
@@ -31,13 +40,11 @@ impl Varying for Scalar {
     }
 
     #[inline(always)]
-    fn run(plane: &mut Plane, span: &Span, x: i32) -> (Self, u32, i32) {
-        (Self(plane.at(x, span.y)), plane.dx, i32::MAX)
-    }
+    fn runs(_: &Plane, _: &Span) {}
 
     #[inline(always)]
-    fn step(&mut self, step: &u32) {
-        self.0 = self.0.wrapping_add(*step);
+    fn run(plane: &Plane, (): &mut (), span: &Span, x: i32) -> (Self, u32, i32) {
+        (Self(plane.at(x, span.y)), plane.dx, i32::MAX)
     }
 
     #[inline(always)]

@@ -1,5 +1,5 @@
 use super::varying::mix_word;
-use super::{Interpolated, Varying};
+use super::{Interpolated, Stepped, Varying};
 use crate::raster::{Gradients, Span};
 
 /// `N` numbers of 16 bits over the triangle, 16.16 while they are interpolated: a normal, a weight,
@@ -29,13 +29,24 @@ impl<const N: usize> Scalars<N> {
     }
 }
 
+impl<const N: usize> Stepped for Scalars<N> {
+    type Step = [u32; N];
+
+    #[inline(always)]
+    fn step(&mut self, step: &[u32; N]) {
+        for (word, step) in self.0.iter_mut().zip(step) {
+            *word = word.wrapping_add(*step);
+        }
+    }
+}
+
 impl<const N: usize> Varying for Scalars<N>
 where
     [u16; N]: Default,
 {
     type Corner = [u16; N];
     type Planes = ScalarsPlanes<N>;
-    type Step = [u32; N];
+    type Runs = ();
 
     const INTERPOLATED: bool = true;
     const PIECE: i32 = 0;
@@ -58,7 +69,10 @@ where
     }
 
     #[inline(always)]
-    fn run(planes: &mut ScalarsPlanes<N>, span: &Span, x: i32) -> (Self, [u32; N], i32) {
+    fn runs(_: &ScalarsPlanes<N>, _: &Span) {}
+
+    #[inline(always)]
+    fn run(planes: &ScalarsPlanes<N>, (): &mut (), span: &Span, x: i32) -> (Self, [u32; N], i32) {
         let mut words = planes.origin;
         for ((word, right), down) in words.iter_mut().zip(planes.right).zip(planes.down) {
             *word = word
@@ -66,13 +80,6 @@ where
                 .wrapping_add(down.wrapping_mul(span.y.cast_unsigned()));
         }
         (Self(words), planes.right, i32::MAX)
-    }
-
-    #[inline(always)]
-    fn step(&mut self, step: &[u32; N]) {
-        for (word, step) in self.0.iter_mut().zip(step) {
-            *word = word.wrapping_add(*step);
-        }
     }
 
     #[inline(always)]

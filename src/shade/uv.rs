@@ -1,5 +1,5 @@
 use super::varying::mix_word;
-use super::{Interpolated, Varying};
+use super::{Interpolated, Stepped, Varying};
 use crate::raster::{Gradients, Plane, Span};
 
 /// Texture coordinates over the triangle, linear on the screen; wrap them in
@@ -47,10 +47,20 @@ pub struct UvPlanes {
     v: Plane,
 }
 
+impl Stepped for Uv {
+    type Step = UvStep;
+
+    #[inline(always)]
+    fn step(&mut self, step: &UvStep) {
+        self.u = self.u.wrapping_add(step.right.u);
+        self.v = self.v.wrapping_add(step.right.v);
+    }
+}
+
 impl Varying for Uv {
     type Corner = [i16; 2];
     type Planes = UvPlanes;
-    type Step = UvStep;
+    type Runs = ();
 
     const INTERPOLATED: bool = true;
     const PIECE: i32 = 0;
@@ -72,17 +82,14 @@ impl Varying for Uv {
     }
 
     #[inline(always)]
-    fn run(planes: &mut UvPlanes, span: &Span, x: i32) -> (Self, UvStep, i32) {
+    fn runs(_: &UvPlanes, _: &Span) {}
+
+    #[inline(always)]
+    fn run(planes: &UvPlanes, (): &mut (), span: &Span, x: i32) -> (Self, UvStep, i32) {
         let UvPlanes { u, v } = planes;
         let of = |u: u32, v: u32| Self { u: u.cast_signed(), v: v.cast_signed() };
         let step = UvStep { right: of(u.dx, v.dx), down: of(u.dy, v.dy) };
         (of(u.at(x, span.y), v.at(x, span.y)), step, i32::MAX)
-    }
-
-    #[inline(always)]
-    fn step(&mut self, step: &UvStep) {
-        self.u = self.u.wrapping_add(step.right.u);
-        self.v = self.v.wrapping_add(step.right.v);
     }
 
     #[inline(always)]

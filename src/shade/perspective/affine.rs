@@ -3,7 +3,7 @@ use core::ops::Deref;
 use super::planes::mix;
 use super::{PerspectiveCorner, PerspectiveMode, PerspectiveVarying};
 use crate::raster::{Gradients, Span};
-use crate::shade::{Corner, Interpolated, Varying};
+use crate::shade::{Corner, Interpolated, Stepped, Varying};
 
 /// No perspective: linear on the screen. The cheapest, and wrong wherever w differs much over a
 /// triangle.
@@ -36,10 +36,19 @@ impl<V: Interpolated> PerspectiveVarying for AffineValue<V> {
     }
 }
 
+impl<V: Stepped> Stepped for AffineValue<V> {
+    type Step = V::Step;
+
+    #[inline(always)]
+    fn step(&mut self, step: &V::Step) {
+        self.0.step(step);
+    }
+}
+
 impl<V: Interpolated> Varying for AffineValue<V> {
     type Corner = PerspectiveCorner<Corner<V>>;
     type Planes = V::Planes;
-    type Step = V::Step;
+    type Runs = V::Runs;
 
     const INTERPOLATED: bool = V::INTERPOLATED;
     const PIECE: i32 = V::PIECE;
@@ -57,14 +66,14 @@ impl<V: Interpolated> Varying for AffineValue<V> {
     }
 
     #[inline(always)]
-    fn run(planes: &mut V::Planes, span: &Span, x: i32) -> (Self, V::Step, i32) {
-        let (value, step, end) = V::run(planes, span, x);
-        (Self(value), step, end)
+    fn runs(planes: &V::Planes, span: &Span) -> V::Runs {
+        V::runs(planes, span)
     }
 
     #[inline(always)]
-    fn step(&mut self, step: &V::Step) {
-        self.0.step(step);
+    fn run(planes: &V::Planes, runs: &mut V::Runs, span: &Span, x: i32) -> (Self, V::Step, i32) {
+        let (value, step, end) = V::run(planes, runs, span, x);
+        (Self(value), step, end)
     }
 
     #[inline(always)]

@@ -3,7 +3,7 @@ use core::ops::Deref;
 use super::planes::{mix, quotients};
 use super::{PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying};
 use crate::raster::{Gradients, Span};
-use crate::shade::{Corner, Interpolated, Varying, Words};
+use crate::shade::{Corner, Interpolated, Stepped, Varying, Words};
 
 /// A division for each pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,10 +51,21 @@ impl<V: Interpolated> PerspectiveVarying for ExactValue<V> {
     }
 }
 
+impl<V: Interpolated> Stepped for ExactValue<V> {
+    type Step = ExactStep<V>;
+
+    #[inline(always)]
+    fn step(&mut self, step: &ExactStep<V>) {
+        self.q = self.q.wrapping_add(step.q);
+        self.words = self.words.zip(step.words, u32::wrapping_add);
+        self.value = V::value(&self.base, quotients(self.words, self.q));
+    }
+}
+
 impl<V: Interpolated> Varying for ExactValue<V> {
     type Corner = PerspectiveCorner<Corner<V>>;
     type Planes = PerspectivePlanes<V>;
-    type Step = ExactStep<V>;
+    type Runs = ();
 
     const INTERPOLATED: bool = true;
     const PIECE: i32 = 0;
@@ -71,7 +82,15 @@ impl<V: Interpolated> Varying for ExactValue<V> {
     }
 
     #[inline(always)]
-    fn run(planes: &mut PerspectivePlanes<V>, span: &Span, x: i32) -> (Self, ExactStep<V>, i32) {
+    fn runs(_: &PerspectivePlanes<V>, _: &Span) {}
+
+    #[inline(always)]
+    fn run(
+        planes: &PerspectivePlanes<V>,
+        (): &mut (),
+        span: &Span,
+        x: i32,
+    ) -> (Self, ExactStep<V>, i32) {
         let y = span.y;
         let cell = x & !(RUN - 1);
         let (start, end) = (cell.max(span.first), cell.wrapping_add(RUN));
@@ -83,13 +102,6 @@ impl<V: Interpolated> Varying for ExactValue<V> {
         let value = V::value(&planes.base, quotients(words, q));
         let step = ExactStep { q: planes.q.dx, words: slopes, inner };
         (Self { value, base: planes.base, q, words }, step, end)
-    }
-
-    #[inline(always)]
-    fn step(&mut self, step: &ExactStep<V>) {
-        self.q = self.q.wrapping_add(step.q);
-        self.words = self.words.zip(step.words, u32::wrapping_add);
-        self.value = V::value(&self.base, quotients(self.words, self.q));
     }
 
     #[inline(always)]

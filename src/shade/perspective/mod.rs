@@ -12,4 +12,4 @@ pub use corner::PerspectiveCorner;
 pub use exact::{Exact, ExactStep, ExactValue};
 pub use mode::{Perspective, PerspectiveMode, PerspectiveVarying};
 pub use planes::PerspectivePlanes;
-pub use subspans::{Adaptive, Every, Interval, SubspanPlanes, SubspanValue};
+pub use subspans::{Adaptive, Every, Interval, Subspan, SubspanValue};

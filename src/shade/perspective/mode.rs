@@ -1,7 +1,7 @@
 use core::ops::Deref;
 
 use super::PerspectiveCorner;
-use crate::shade::{Interpolated, Varying};
+use crate::shade::{Interpolated, Stepped, Varying};
 
 /// How often perspective is corrected: [`Affine`](super::Affine) (never),
 /// [`Every`](super::Every) `N` pixels, [`Adaptive`](super::Adaptive), or
@@ -19,7 +19,7 @@ pub trait PerspectiveVarying:
     type Inner: Interpolated;
 
     /// The step of what is interpolated, at the first pixel of a run.
-    fn inner_step(step: &Self::Step) -> &<Self::Inner as Varying>::Step;
+    fn inner_step(step: &<Self as Stepped>::Step) -> &<Self::Inner as Stepped>::Step;
 }
 
 /// A varying `V` in perspective, corrected as `M` says.

@@ -101,18 +101,16 @@ impl<V: Interpolated> PerspectivePlanes<V> {
     }
 }
 
-/// The largest word, 65535 and a half, 0.30: what is added to round it does not wrap.
-const MOST: u32 = (1 << 30) - (1 << 13) - 1;
-
 /// Words times q, over q: 16.15, limited to what corners can have.
 #[inline(always)]
 pub(super) fn quotients<W: Words>(words: W, q: u32) -> W {
     let reciprocal = reciprocal_of_some(q);
     let room = 62_u32.wrapping_sub(reciprocal.shift);
+    // What a word of 65535 is: so that what is added to round it does not wrap.
+    let most = q.wrapping_sub(q >> 16);
     words.map(|word| {
-        // At most q, so that the shift loses nothing; 0.30 then.
-        let ratio = mul_high_31(word.min(q).wrapping_shl(room), reciprocal.mantissa);
-        ratio.min(MOST) << 1
+        // Below q, so that the shift loses nothing; 0.30 then.
+        mul_high_31(word.min(most).wrapping_shl(room), reciprocal.mantissa) << 1
     })
 }
 

@@ -3,57 +3,51 @@ use core::ops::Deref;
 
 use super::planes::mix;
 use super::{PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying};
-use crate::math::mul_high_signed;
+use crate::math::{mul_high_signed, reciprocal_of_some, Reciprocal};
 use crate::raster::{Gradients, Plane, Span};
-use crate::shade::{Corner, Interpolated, Varying, Words};
+use crate::shade::{Corner, Interpolated, Stepped, Varying, Words};
 
 /// Knots at every `N`th column of the picture (a power of two from 4 to 32), linear between.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Every<const N: i32>;
 
-/// Knots as near as they have to be: `2^k` columns apart, at most 16, such that the error stays
-/// below a quarter of what a pixel covers.
+/// Knots as near as they have to be: `2^k` columns apart, such that the error stays below a quarter
+/// of what a pixel covers.
 ///
-/// In each 16 columns of the picture `N` is the largest power of two with `N^2 |dq| <= q`, where q
-/// is 1 / w, the smaller of its two at the ends, and dq what it changes by from pixel to pixel.
+/// `N` is the largest power of two up to 128 with `N^2 |dq| <= q` in the whole row, where q is 1 / w
+/// and dq what it changes by from pixel to pixel: floors and walls that run across the view need few
+/// knots. Where that is less than 16, it is chosen anew for each 16 columns of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Adaptive;
 
 /// How far knots are apart.
 pub trait Interval: Copy {
-    /// The power of two in the 16 columns that hold column `x` of a span.
-    fn exponent(q: &Plane, span: &Span, x: i32) -> u32;
-    /// Whether that is the same everywhere.
-    const FIXED: bool;
-}
-
-impl<const N: i32> Every<N> {
-    const EXPONENT: u32 = {
-        assert!(4 <= N && N <= 32 && N.count_ones() == 1, "a power of two from 4 to 32");
-        N.trailing_zeros()
-    };
+    /// The power of two in the columns from `from` to `to` of row `y`.
+    fn exponent(q: &Plane, y: i32, from: i32, to: i32) -> u32;
+    /// The least that a whole row may have; below it is chosen for each cell of so many columns.
+    const CELL: u32;
 }
 
 impl<const N: i32> Interval for Every<N> {
-    const FIXED: bool = true;
+    const CELL: u32 = {
+        assert!(4 <= N && N <= 32 && N.count_ones() == 1, "a power of two from 4 to 32");
+        N.trailing_zeros()
+    };
 
     #[inline(always)]
-    fn exponent(_: &Plane, _: &Span, _x: i32) -> u32 {
-        Self::EXPONENT
+    fn exponent(_: &Plane, _y: i32, _from: i32, _to: i32) -> u32 {
+        Self::CELL
     }
 }
 
 impl Interval for Adaptive {
-    const FIXED: bool = false;
+    const CELL: u32 = 4;
 
     #[inline(always)]
-    fn exponent(q: &Plane, span: &Span, x: i32) -> u32 {
-        let cell = x & !15;
-        let last = span.behind.wrapping_sub(1);
-        let (from, to) = (cell.max(span.first), cell.wrapping_add(16).min(last));
-        let least = q.at(from, span.y).min(q.at(to, span.y));
+    fn exponent(q: &Plane, y: i32, from: i32, to: i32) -> u32 {
+        let least = q.at(from, y).min(q.at(to, y));
         let change = q.dx.cast_signed().unsigned_abs();
-        let mut exponent = 4;
+        let mut exponent = 7;
         while exponent > 0 && change > least >> (2 * exponent) {
             exponent -= 1;
         }
@@ -80,40 +74,19 @@ pub struct SubspanValue<V, I> {
     interval: PhantomData<I>,
 }
 
-/// The planes of a [`SubspanValue`], and the latest knot.
+/// A run of a row, from one knot to the next.
 #[derive(Clone, Copy, Debug)]
-pub struct SubspanPlanes<V: Interpolated> {
-    planes: PerspectivePlanes<V>,
-    /// Of the latest knot.
-    x: i32,
-    y: i32,
-    words: Option<V::Words>,
-    /// The first of the 16 columns of which the exponent is known, in row `y`.
-    cell: i32,
+pub struct Subspan<W> {
+    /// The knots' columns and words.
+    start: i32,
+    knot: i32,
+    from: W,
+    to: W,
+    /// The first pixel behind the run.
+    end: i32,
+    /// Whether knots lie as far apart in the whole row.
+    is_even: bool,
     exponent: u32,
-}
-
-/// 2^31 / n for runs that end at a row's last pixel.
-#[allow(clippy::cast_possible_truncation, reason = "below 2^31")]
-static INVERSES: [u32; 32] = {
-    let mut inverses = [0; 32];
-    let mut n = 2;
-    while n < 32 {
-        inverses[n] = ((1_u64 << 31) / n as u64) as u32;
-        n += 1;
-    }
-    inverses
-};
-
-impl<V: Interpolated> SubspanPlanes<V> {
-    /// The words at a knot: known, if it is where the last run ended.
-    #[inline(always)]
-    fn knot(&self, x: i32, y: i32) -> V::Words {
-        match self.words {
-            Some(words) if self.x == x && self.y == y => words,
-            _ => self.planes.at(x, y),
-        }
-    }
 }
 
 impl<V, I> Deref for SubspanValue<V, I> {
@@ -134,10 +107,30 @@ impl<V: Interpolated, I: Interval> PerspectiveVarying for SubspanValue<V, I> {
     }
 }
 
+impl<V: Stepped, I: Interval> Stepped for SubspanValue<V, I> {
+    type Step = V::Step;
+
+    #[inline(always)]
+    fn step(&mut self, step: &V::Step) {
+        self.value.step(step);
+    }
+}
+
+/// The knot behind column `x`, and the first pixel behind the run to it.
+#[inline(always)]
+fn knot_behind(column: i32, exponent: u32, span: &Span) -> (i32, i32) {
+    let next = column.wrapping_add(1 << exponent);
+    if span.behind <= next {
+        (span.behind.wrapping_sub(1), span.behind)
+    } else {
+        (next, next)
+    }
+}
+
 impl<V: Interpolated, I: Interval> Varying for SubspanValue<V, I> {
     type Corner = PerspectiveCorner<Corner<V>>;
-    type Planes = SubspanPlanes<V>;
-    type Step = V::Step;
+    type Planes = PerspectivePlanes<V>;
+    type Runs = Subspan<V::Words>;
 
     const INTERPOLATED: bool = true;
     const PIECE: i32 = 0;
@@ -149,55 +142,56 @@ impl<V: Interpolated, I: Interval> Varying for SubspanValue<V, I> {
         corners: &[Self::Corner; 3],
         _: &Self::Corner,
         _in_pieces: bool,
-    ) -> SubspanPlanes<V> {
-        let planes = PerspectivePlanes::new(gradients, corners);
-        SubspanPlanes { planes, x: 0, y: 0, words: None, cell: i32::MIN, exponent: 0 }
+    ) -> PerspectivePlanes<V> {
+        PerspectivePlanes::new(gradients, corners)
     }
 
     #[inline(always)]
-    fn run(state: &mut SubspanPlanes<V>, span: &Span, x: i32) -> (Self, V::Step, i32) {
-        let (y, last) = (span.y, span.behind.wrapping_sub(1));
-        let exponent = if I::FIXED {
-            I::exponent(&state.planes.q, span, x)
-        } else {
-            if state.cell != x & !15 || state.y != y {
-                state.exponent = I::exponent(&state.planes.q, span, x);
-                state.cell = x & !15;
+    fn runs(planes: &PerspectivePlanes<V>, span: &Span) -> Subspan<V::Words> {
+        let Span { y, first, left, behind, .. } = *span;
+        let row = I::exponent(&planes.q, y, first, behind.wrapping_sub(1));
+        let is_even = row >= I::CELL;
+        // The knot at or before the first pixel that is drawn.
+        let exponent = if is_even { row } else { cell_exponent::<I>(&planes.q, span, left) };
+        let start = (left >> exponent << exponent).max(first);
+        let words = planes.at(start, y);
+        Subspan { start, knot: start, from: words, to: words, end: left, is_even, exponent }
+    }
+
+    #[inline(always)]
+    fn run(
+        planes: &PerspectivePlanes<V>,
+        runs: &mut Subspan<V::Words>,
+        span: &Span,
+        x: i32,
+    ) -> (Self, V::Step, i32) {
+        let y = span.y;
+        if x >= runs.end {
+            if !runs.is_even && x & ((1 << I::CELL) - 1) == 0 {
+                runs.exponent = cell_exponent::<I>(&planes.q, span, x);
             }
-            state.exponent
-        };
-        let column = x >> exponent << exponent;
-        let (start, next) = (column.max(span.first), column.wrapping_add(1 << exponent));
-        let (knot, end) = if last < next { (last, last.wrapping_add(1)) } else { (next, next) };
-        let from = state.knot(start, y);
+            let exponent = runs.exponent;
+            (runs.start, runs.from) = (runs.knot, runs.to);
+            (runs.knot, runs.end) = knot_behind(x >> exponent << exponent, exponent, span);
+            runs.to = planes.at(runs.knot, y);
+        }
+        let Subspan { start, knot, from, to, end, exponent, .. } = *runs;
         let length = knot.wrapping_sub(start);
-        let to = if length == 0 { from } else { state.planes.at(knot, y) };
         let change = to.zip(from, u32::wrapping_sub);
         let right = if length == 1 << exponent {
-            change.map(|change| (change.cast_signed() >> exponent).cast_unsigned())
-        } else if length < 2 {
-            change
+            change.map(|change| change.cast_signed().wrapping_shr(exponent).cast_unsigned())
         } else {
-            let inverse = INVERSES.get(length as usize).copied().unwrap_or(0);
-            change.map(|change| {
-                mul_high_signed(change.cast_signed(), inverse).wrapping_shl(1).cast_unsigned()
-            })
+            short_steps(change, length)
         };
-        (state.x, state.y, state.words) = (knot, y, Some(to));
-        let base = &state.planes.base;
-        let step = V::step_of(base, right, state.planes.down(from, start, y));
+        let base = &planes.base;
+        let step = V::step_of(base, right, planes.down(from, start, y));
         let mut value = V::value(base, from);
         value.jump(&step, x.wrapping_sub(start));
         (Self { value, interval: PhantomData }, step, end)
     }
 
     #[inline(always)]
-    fn step(&mut self, step: &V::Step) {
-        self.value.step(step);
-    }
-
-    #[inline(always)]
-    fn settle(_: &mut SubspanPlanes<V>, _x: i32, _y: i32) {}
+    fn settle(_: &mut PerspectivePlanes<V>, _x: i32, _y: i32) {}
 
     #[inline(always)]
     fn place(corner: &mut Self::Corner, w: impl Fn() -> i32) {
@@ -208,4 +202,26 @@ impl<V: Interpolated, I: Interval> Varying for SubspanValue<V, I> {
     fn mix(corners: [&Self::Corner; 3], u: i32, v: i32) -> Self::Corner {
         mix::<V>(corners, u, v)
     }
+}
+
+/// The power of two in the cell that holds column `x`.
+#[inline(never)]
+fn cell_exponent<I: Interval>(q: &Plane, span: &Span, x: i32) -> u32 {
+    let cell = x >> I::CELL << I::CELL;
+    let (next, last) = (cell.wrapping_add(1 << I::CELL), span.behind.wrapping_sub(1));
+    I::exponent(q, span.y, cell.max(span.first), next.min(last)).min(I::CELL)
+}
+
+/// Steps of a run that is shorter than knots are apart.
+#[inline(always)]
+fn short_steps<W: Words>(change: W, length: i32) -> W {
+    if length < 2 {
+        return change;
+    }
+    let Reciprocal { mantissa, shift } = reciprocal_of_some(length.cast_unsigned());
+    change.map(|change| {
+        let step = mul_high_signed(change.cast_signed(), mantissa);
+        // The length is below 2^8, so that 32 of the shift's at most 62 are not too many.
+        step.wrapping_shr(shift.wrapping_sub(32)).cast_unsigned()
+    })
 }

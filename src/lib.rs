@@ -52,7 +52,12 @@ pub use scene::{
     List, Mesh, Normal, PointLight, SpotLight, Topology,
 };
 pub use shade::{
-    Adaptive, Affine, Always, AnyDepth, AtFragments, AtVertices, BlinnPhong, Coloring, Constant, Corner, Counter, Counting, DepthTest, DrawContext, Equal, Every, Exact, Flat, FlatColor, Fog, Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual, LightKind, Lighting, NotEqual, Off, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats, Stepped, Surface, Textured, Tinted, Uncounted, Unlit, Uv, UvStep, Varying, VertexColors, VertexInput,
+    Adaptive, Affine, Always, AnyDepth, AtFragments, AtVertices, BlinnPhong, Coloring, Constant,
+    Corner, Counter, Counting, DepthTest, DrawContext, Equal, Every, Exact, Flat, FlatColor, Fog,
+    Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual, LightKind,
+    Lighting, NotEqual, Off, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying,
+    Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats, Stepped, Surface,
+    Textured, Tinted, Uncounted, Unlit, Uv, UvStep, Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -5,6 +5,19 @@
 pub(crate) struct Vertex {
     pub(crate) position: [f32; 4],
     pub(crate) color: [f32; 4],
+    pub(crate) uv: [f32; 2],
+}
+
+/// A texture as it stands in the file.
+#[derive(Clone, Debug)]
+pub(crate) struct Texels {
+    pub(crate) width: u16,
+    pub(crate) height: u16,
+    pub(crate) is_rgb565: bool,
+    pub(crate) is_linear: bool,
+    pub(crate) repeats: bool,
+    /// In the file's order: little-endian words, or red, green, blue, alpha.
+    pub(crate) bytes: Vec<u8>,
 }
 
 /// What the vertices of a draw make.
@@ -55,6 +68,7 @@ pub(crate) struct Scene {
     pub(crate) clip: bool,
     /// Red, green, blue, alpha; 0 to 255.
     pub(crate) clear: [u8; 4],
+    pub(crate) texture: Option<Texels>,
     pub(crate) draws: Vec<Draw>,
 }
 
@@ -62,7 +76,14 @@ impl Scene {
     /// Reads the text form; the message says which line is wrong.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let mut scene =
-            Self { width: 0, height: 0, clip: false, clear: [0, 0, 0, 255], draws: Vec::new() };
+            Self {
+            width: 0,
+            height: 0,
+            clip: false,
+            clear: [0, 0, 0, 255],
+            texture: None,
+            draws: Vec::new(),
+        };
         for (number, line) in text.lines().enumerate() {
             let words: Vec<&str> = line.split_whitespace().collect();
             scene.take(&words).ok_or_else(|| format!("line {}: {line}", number + 1))?;
@@ -97,11 +118,23 @@ impl Scene {
             }
             ["v", numbers @ ..] => {
                 let numbers: Vec<f32> = numbers.iter().filter_map(|n| n.parse().ok()).collect();
-                let [x, y, z, w, r, g, b, a, _, _] = numbers[..] else { return None };
-                let vertex = Vertex { position: [x, y, z, w], color: [r, g, b, a] };
+                let [x, y, z, w, r, g, b, a, u, v] = numbers[..] else { return None };
+                let vertex = Vertex { position: [x, y, z, w], color: [r, g, b, a], uv: [u, v] };
                 self.draws.last_mut()?.vertices.push(vertex);
             }
-            ["texture", ..] | ["end"] | [] => {}
+            ["texture", width, height, format, filter, wrap, hex] => {
+                let byte = |at: usize| u8::from_str_radix(hex.get(at..at + 2)?, 16).ok();
+                let bytes = (0..hex.len()).step_by(2).map(byte).collect::<Option<_>>()?;
+                self.texture = Some(Texels {
+                    width: width.parse().ok()?,
+                    height: height.parse().ok()?,
+                    is_rgb565: *format == "rgb565",
+                    is_linear: *filter == "linear",
+                    repeats: *wrap == "repeat",
+                    bytes,
+                });
+            }
+            ["end"] | [] => {}
             _ => return None,
         }
         Some(())

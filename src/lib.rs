@@ -47,10 +47,12 @@ pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{Clip, Cull, Pass, ScreenPass, ShadedVertex, VertexCache, Winding};
 pub use scene::{normal, AnyTopology, Camera, IndexedList, Light, List, Mesh, Normal, Topology};
 pub use shade::{
-    Always, AnyDepth, Coloring, Corner, Counter, Counting, DepthTest, DrawContext, Equal, Flat,
-    FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, NotEqual, Off, Row,
-    Scalar, Shader, SmoothColor, Solid, State, States, Stats, Uncounted, Varying, VertexColors,
-    VertexInput,
+    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDither, AnyMask, Average, Blend,
+    Channels, ColorMask, ColorOutput, Coloring, ConstantAlpha, Corner, Counter, Counting,
+    DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Flat, FlatColor, Gouraud, Greater,
+    GreaterEqual, Lambert, Less, LessEqual, Multiply, NotEqual, Off, Output, Premultiplied,
+    Replace, Row, Scalar, Shader, SmoothColor, Solid, State, States, Stats, Subtract, Uncounted,
+    Undithered, Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -45,4 +45,44 @@ pub trait Format {
             *pixel = raw;
         }
     }
+
+    /// The middle of the colours that are stored as `raw`, where that is cheaper than
+    /// [`unpack`](Self::unpack): what blending by weights takes for the stored colour.
+    ///
+    /// # Rounding
+    /// With a fraction of zero, and not beyond half a step of the format from what `unpack` gives.
+    #[inline(always)]
+    fn middle(raw: Self::Raw) -> Color {
+        Self::unpack(raw)
+    }
+
+    /// Replaces each pixel by `keep / 256` of itself and `add`: blending of one source colour by
+    /// weights.
+    ///
+    /// # Range
+    /// `keep` at most 256; `add` such that no channel's sum exceeds 255.996.
+    ///
+    /// # Rounding
+    /// Cut off, as [`pack`](Self::pack) does: the bits of [`pack`](Self::pack) of
+    /// [`middle`](Self::middle) by weights.
+    ///
+    /// # Cost
+    /// As written here, a loop over the pixels; the built-in formats take two channels or two
+    /// pixels in a word.
+    #[inline(always)]
+    fn fade(pixels: &mut [Self::Raw], keep: u32, add: Color) {
+        for pixel in pixels {
+            *pixel = Self::pack(Self::middle(*pixel).weighted(keep, add));
+        }
+    }
+
+    /// The stored value of a colour under dither: [`pack`](Self::pack), where that keeps eight
+    /// bits of each channel.
+    ///
+    /// `thresholds` holds two of them, eight bits each, from bits 3 (for red and green) and 19
+    /// (for blue) on; all other bits may be anything.
+    #[inline(always)]
+    fn pack_dithered(color: Color, _thresholds: u32) -> Self::Raw {
+        Self::pack(color)
+    }
 }

@@ -1,4 +1,5 @@
-use super::{fill_words, Color, Format};
+use super::fade::fade_pairs;
+use super::{fill_words, Color, Format, EIGHTS};
 
 /// Sixteen bits a pixel, `rrrrrggg gggbbbbb`, in the order of the machine's own u16.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,6 +23,33 @@ impl Rgb565 {
         let (r, g, b) = (raw >> 11, (raw >> 5) & 63, raw & 31);
         Color::new((r << 3 | r >> 2) as u8, (g << 2 | g >> 4) as u8, (b << 3 | b >> 2) as u8)
     }
+
+    /// The middle of the colours that are stored as `raw`.
+    #[inline(always)]
+    pub(super) const fn middle_of(raw: u16) -> Color {
+        let raw = raw as u32;
+        Color {
+            blue_red: raw << 27 | raw & 0xF800 | 0x0400_0400,
+            green: (raw & 0x07E0) << 21 | 0x0200_0000 | Color::OPAQUE,
+        }
+    }
+
+    /// The stored value under dither.
+    ///
+    /// # Rounding
+    /// 249 / 2048 and 253 / 1024 lead from eight bits to 31 and 63 steps (a 300th of a step too
+    /// far at the end), and what the thresholds add stays below one step: black and white are met
+    /// exactly, and no channel runs over.
+    #[inline(always)]
+    pub(super) const fn dithered(color: Color, thresholds: u32) -> u16 {
+        let thresholds = thresholds & 0x07F8_07F8;
+        let blue_red = (color.blue_red >> 8 & EIGHTS).wrapping_mul(249);
+        let green = (color.green >> 24).wrapping_mul(253 << 16);
+        Self::encode(Color {
+            blue_red: blue_red.wrapping_add(thresholds),
+            green: green.wrapping_add(thresholds << 15),
+        })
+    }
 }
 
 impl Format for Rgb565 {
@@ -40,6 +68,21 @@ impl Format for Rgb565 {
     #[inline(always)]
     fn fill(pixels: &mut [u16], raw: u16) {
         fill_words(pixels, raw, u32::from(raw) * 0x0001_0001);
+    }
+
+    #[inline(always)]
+    fn middle(raw: u16) -> Color {
+        Self::middle_of(raw)
+    }
+
+    #[inline(always)]
+    fn fade(pixels: &mut [u16], keep: u32, add: Color) {
+        fade_pairs::<false>(pixels, keep, add);
+    }
+
+    #[inline(always)]
+    fn pack_dithered(color: Color, thresholds: u32) -> u16 {
+        Self::dithered(color, thresholds)
     }
 }
 

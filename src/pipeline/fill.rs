@@ -129,7 +129,7 @@ impl<V: Varying> Ready<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let (depth, counter) = state.parts();
+        let (depth, output, counter) = state.parts();
         for span in spans {
             let Span { y, left, right, .. } = *span;
             let (pixels, cells) = frame.row_with_depth::<Access<S>>(y, left, right)?;
@@ -153,6 +153,7 @@ impl<V: Varying> Ready<'_, V> {
                         varying,
                         step,
                         depth,
+                        output,
                         counter: &mut *counter,
                     });
                     x = end;
@@ -170,6 +171,7 @@ impl<V: Varying> Ready<'_, V> {
                 varying,
                 step,
                 depth,
+                output,
                 counter,
             });
         }

@@ -29,8 +29,10 @@ pub use shader::{DrawContext, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
 pub use state::{
-    Always, AnyDepth, Counter, Counting, DepthTest, Equal, Event, Greater, GreaterEqual, Less,
-    LessEqual, NotEqual, Off, State, States, Stats, Uncounted,
+    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDither, AnyMask, Average, Blend,
+    Channels, ColorMask, ColorOutput, ConstantAlpha, Counter, Counting, DepthTest, Dither, Dither4,
+    Dither8, Equal, Event, Greater, GreaterEqual, Less, LessEqual, Multiply, NotEqual, Off, Output,
+    Premultiplied, Replace, State, States, Stats, Subtract, Uncounted, Undithered,
 };
 pub use varying::{Corner, Varying};
 pub use vertex_colors::VertexColors;

@@ -1,9 +1,13 @@
-use super::{Counter, DepthTest, State, Varying};
+use super::{Blend, ColorOutput, Counter, DepthTest, Dither, State, Varying};
 use crate::color::{Color, Format};
 use crate::frame::DepthAccess;
 
 /// The depth cells of a row under state `S`.
 type Access<S> = <<S as State>::Depth as DepthTest>::Access;
+/// How state `S` dithers.
+type OutputDither<S> = <<S as State>::Output as ColorOutput>::Dither;
+/// What a row is dithered by under state `S`.
+type Thresholds<S> = <OutputDither<S> as Dither>::Thresholds;
 /// A row of depth under state `S`.
 pub(crate) type Cells<'a, S> = <Access<S> as DepthAccess>::Cells<'a>;
 
@@ -20,6 +24,7 @@ pub struct Row<'a, S: State, F: Format, V: Varying> {
     pub(crate) varying: V,
     pub(crate) step: V::Step,
     pub(crate) depth: &'a S::Depth,
+    pub(crate) output: &'a S::Output,
     pub(crate) counter: &'a mut S::Counter,
 }
 
@@ -63,21 +68,38 @@ impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
     /// much.
     #[inline(always)]
     pub fn each(self, mut fragment: impl FnMut(&V) -> Option<Color>) {
-        self.each_packed(|varying| fragment(varying).map(F::pack));
+        let output = self.output;
+        self.walk(|varying, stored, thresholds| {
+            let source = output.blend().source(fragment(varying)?);
+            Some(output.pixel::<F>(&source, stored, thresholds))
+        });
     }
 
     /// The same for pixels that are packed already: for a shader that takes its colours from a
-    /// small table, which it packs once a row by [`Format::pack`].
+    /// small table, which it packs once a row by [`Format::pack`]. They are opaque.
     ///
     /// # Cost
-    /// 5 instructions a pixel less than [`each`](Self::each).
+    /// 5 instructions a pixel less than [`each`](Self::each), where colours are neither blended
+    /// nor dithered nor masked; otherwise more, for they are unpacked.
     #[inline(always)]
     pub fn each_packed(self, mut fragment: impl FnMut(&V) -> Option<F::Raw>) {
-        let Self { pixels, cells, mut z, z_step, mut varying, step, depth, counter, .. } = self;
+        if S::Output::PLAIN {
+            self.walk(|varying, _, _| fragment(varying));
+        } else {
+            self.each(|varying| fragment(varying).map(F::unpack));
+        }
+    }
+
+    /// The pixel loop: `put` gives what is to be stored where the second argument is.
+    #[inline(always)]
+    fn walk(self, mut put: impl FnMut(&V, &F::Raw, &Thresholds<S>) -> Option<F::Raw>) {
+        let Self { x, y, pixels, cells, mut z, z_step, mut varying, step, depth, output, counter } =
+            self;
+        let mut thresholds = output.dither().thresholds(x, y);
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
             if depth.passes(code, <Access<S>>::read(&cell)) {
-                if let Some(raw) = fragment(&varying) {
+                if let Some(raw) = put(&varying, pixel, &thresholds) {
                     if depth.writes() {
                         <Access<S>>::write(cell, code);
                     }
@@ -87,6 +109,7 @@ impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
             }
             z = z.wrapping_add(z_step);
             varying.step(&step);
+            <OutputDither<S>>::step(&mut thresholds);
             if <Access<S>>::TOUCHES {
                 // Unrolled by the compiler, this loop spills: 25 instead of 19 instructions on M4.
                 core::hint::black_box(());
@@ -100,11 +123,13 @@ impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
     /// Without depth, half an instruction a 16-bit pixel on Cortex-M4: whole words, eight a turn.
     #[inline(always)]
     pub fn fill(self, color: Color) {
+        let output = self.output;
         if <Access<S>>::TOUCHES {
-            self.each(|_| Some(color));
+            let source = output.blend().source(color);
+            self.walk(|_, stored, thresholds| Some(output.pixel::<F>(&source, stored, thresholds)));
         } else {
             self.counter.pixels(u32::try_from(self.pixels.len()).unwrap_or(u32::MAX));
-            F::fill(self.pixels, F::pack(color));
+            output.fill::<F>(self.pixels, color, self.x, self.y);
         }
     }
 }

@@ -44,15 +44,18 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 #[cfg(feature = "embedded-graphics")]
 pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
-pub use pipeline::{Clip, Cull, Pass, ScreenPass, ShadedVertex, VertexCache, Winding};
+pub use pipeline::{
+    Clip, Cull, Pass, ScreenPass, ShadedVertex, Supersampling, VertexCache, Winding,
+};
 pub use scene::{normal, AnyTopology, Camera, IndexedList, Light, List, Mesh, Normal, Topology};
 pub use shade::{
-    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDither, AnyMask, Average, Blend,
-    Channels, ColorMask, ColorOutput, Coloring, ConstantAlpha, Corner, Counter, Counting,
-    DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Flat, FlatColor, Gouraud, Greater,
-    GreaterEqual, Lambert, Less, LessEqual, Multiply, NotEqual, Off, Output, Premultiplied,
-    Replace, Row, Scalar, Shader, SmoothColor, Solid, State, States, Stats, Subtract, Uncounted,
-    Undithered, Varying, VertexColors, VertexInput,
+    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState, AnyDither, AnyMask,
+    Average, Blend, Channels, ColorMask, ColorOutput, Coloring, ConstantAlpha, ConstantDepth,
+    Corner, Counter, Counting, DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal,
+    Flat, FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, Multiply, NotEqual,
+    Off, Output, PolygonOffset, Premultiplied, ReadOnly, Replace, Row, Scalar, Shader, SmoothColor,
+    Solid, State, States, Stats, Subtract, Uncounted, Undithered, Varying, VertexColors,
+    VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -56,11 +56,18 @@ pub trait Format {
         Self::unpack(raw)
     }
 
+    /// The weight that blending takes for one of 0 to 256: the same, unless the format resolves
+    /// fewer.
+    #[inline(always)]
+    fn weight(weight: u32) -> u32 {
+        weight
+    }
+
     /// Replaces each pixel by `keep / 256` of itself and `add`: blending of one source colour by
     /// weights.
     ///
     /// # Range
-    /// `keep` at most 256; `add` such that no channel's sum exceeds 255.996.
+    /// `keep` a [weight](Self::weight); `add` such that no channel's sum exceeds 255.996.
     ///
     /// # Rounding
     /// Cut off, as [`pack`](Self::pack) does: the bits of [`pack`](Self::pack) of
@@ -79,10 +86,23 @@ pub trait Format {
     /// The stored value of a colour under dither: [`pack`](Self::pack), where that keeps eight
     /// bits of each channel.
     ///
-    /// `thresholds` holds two of them, eight bits each, from bits 3 (for red and green) and 19
-    /// (for blue) on; all other bits may be anything.
+    /// `thresholds` holds two of them in 256ths of a step, in bits 0 to 7 (for red and green) and 16
+    /// to 23 (for blue); all other bits may be anything.
     #[inline(always)]
     fn pack_dithered(color: Color, _thresholds: u32) -> Self::Raw {
+        Self::pack(color)
+    }
+
+    /// A corner's colour made ready for [`pack_dimmed`](Self::pack_dimmed).
+    #[inline(always)]
+    fn dim(color: Color) -> Color {
+        color
+    }
+
+    /// As [`pack_dithered`](Self::pack_dithered), of a colour between [dimmed](Self::dim) ones:
+    /// what can be done at the corners is not done at the pixels.
+    #[inline(always)]
+    fn pack_dimmed(color: Color, _thresholds: u32) -> Self::Raw {
         Self::pack(color)
     }
 }

@@ -31,6 +31,12 @@ impl Format for Rgb565Be {
         Rgb565::middle_of(u16::from_be(raw))
     }
 
+    /// In 32nds.
+    #[inline(always)]
+    fn weight(weight: u32) -> u32 {
+        weight.wrapping_add(4) & !7
+    }
+
     #[inline(always)]
     fn fade(pixels: &mut [u16], keep: u32, add: Color) {
         fade_pairs::<{ cfg!(target_endian = "little") }>(pixels, keep, add);
@@ -39,6 +45,16 @@ impl Format for Rgb565Be {
     #[inline(always)]
     fn pack_dithered(color: Color, thresholds: u32) -> u16 {
         Rgb565::dithered(color, thresholds).to_be()
+    }
+
+    #[inline(always)]
+    fn dim(color: Color) -> Color {
+        Rgb565::dimmed(color)
+    }
+
+    #[inline(always)]
+    fn pack_dimmed(color: Color, thresholds: u32) -> u16 {
+        Rgb565::raised(color, thresholds).to_be()
     }
 }
 

@@ -29,10 +29,11 @@ pub use shader::{DrawContext, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
 pub use state::{
-    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDither, AnyMask, Average, Blend,
-    Channels, ColorMask, ColorOutput, ConstantAlpha, Counter, Counting, DepthTest, Dither, Dither4,
-    Dither8, Equal, Event, Greater, GreaterEqual, Less, LessEqual, Multiply, NotEqual, Off, Output,
-    Premultiplied, Replace, State, States, Stats, Subtract, Uncounted, Undithered,
+    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState, AnyDither, AnyMask,
+    Average, Blend, Channels, ColorMask, ColorOutput, ConstantAlpha, ConstantDepth, Counter,
+    Counting, DepthRange, DepthTest, Dither, Dither4, Dither8, Equal, Event, Greater, GreaterEqual,
+    Less, LessEqual, Multiply, NotEqual, Off, Output, PolygonOffset, Premultiplied, ReadOnly,
+    Replace, State, States, Stats, Subtract, Uncounted, Undithered,
 };
 pub use varying::{Corner, Varying};
 pub use vertex_colors::VertexColors;

@@ -3,6 +3,7 @@
 mod blend;
 mod color_mask;
 mod counter;
+mod depth_state;
 mod depth_test;
 mod dither;
 mod output;
@@ -13,6 +14,7 @@ pub use blend::{
 };
 pub use color_mask::{AllChannels, AnyMask, Channels, ColorMask};
 pub use counter::{Counter, Counting, Event, Stats, Uncounted};
+pub use depth_state::{AnyDepthState, ConstantDepth, DepthRange, PolygonOffset, ReadOnly};
 pub use depth_test::{
     Always, AnyDepth, DepthTest, Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual, Off,
 };

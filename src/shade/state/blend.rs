@@ -4,17 +4,23 @@ use crate::color::{Color, Format, EIGHTS};
 ///
 /// # Rounding
 /// Every mode is within one step of the format of the exact result for the 8-bit channels that
-/// the source and the stored pixel stand for. What leaves the stored pixel as it is (alpha 0,
+/// the source and the stored pixel stand for, and for the format's [weight](Format::weight) of
+/// alpha, which RGB565 resolves to 32nds. What leaves the stored pixel as it is (alpha 0,
 /// nothing added) does so to the bit, and what replaces it (alpha 255) stores what [`Replace`]
 /// does.
 pub trait Blend {
-    /// Whether what is stored is read. Otherwise the source is stored as it is.
+    /// Whether what is stored may be read. Otherwise the source is stored as it is.
     const READS: bool;
+    /// Whether it is.
+    #[inline(always)]
+    fn reads(&self) -> bool {
+        Self::READS
+    }
     /// What is made of a source colour, once for as many pixels as it meets.
     type Source: Copy;
 
-    /// Prepares a source colour.
-    fn source(&self, color: Color) -> Self::Source;
+    /// Prepares a source colour for pixels of a format.
+    fn source<F: Format>(&self, color: Color) -> Self::Source;
 
     /// The colour of a source and the pixel that it meets.
     fn blend<F: Format>(&self, source: &Self::Source, stored: F::Raw) -> Color;
@@ -37,7 +43,7 @@ impl Blend for Replace {
     type Source = Color;
 
     #[inline(always)]
-    fn source(&self, color: Color) -> Color {
+    fn source<F: Format>(&self, color: Color) -> Color {
         color
     }
 
@@ -91,9 +97,9 @@ macro_rules! weighted {
                 type Source = Weighted;
 
                 #[inline(always)]
-                fn source(&self, $color: Color) -> Weighted {
+                fn source<F: Format>(&self, $color: Color) -> Weighted {
                     let $this = self;
-                    Weighted::new($color, $weight)
+                    Weighted::new($color, F::weight($weight))
                 }
 
                 #[inline(always)]
@@ -162,40 +168,56 @@ impl Eights {
 
 /// By the source's alpha, which its channels have been multiplied by: `source + stored (1 - a)`,
 /// at most full. Channels may exceed alpha: what has alpha 0 glows.
+///
+/// # Rounding
+/// Where channels exceed alpha, within 17/16 of a step: the stored pixel's eight bits are rounded
+/// before they are added.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Premultiplied;
 
+/// A source of [`Premultiplied`]: eight bits a channel, to be added.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PremultipliedSource {
+    keep: u32,
+    add: Color,
+    /// Whether the sum may exceed full.
+    glows: bool,
+}
+
 impl Blend for Premultiplied {
     const READS: bool = true;
-    type Source = Weighted;
+    type Source = PremultipliedSource;
 
     #[inline(always)]
-    fn source(&self, color: Color) -> Weighted {
-        let Weighted { keep, .. } = Weighted::new(color, weight(color.alpha()));
-        Weighted { keep, add: color }
+    fn source<F: Format>(&self, color: Color) -> PremultipliedSource {
+        let keep = 256_u32.wrapping_sub(F::weight(weight(color.alpha())));
+        let Eights(blue_red, green) = Eights::of(color);
+        // What is kept is at most 255 keep / 256, rounded.
+        let room = 255_u32.wrapping_sub(keep.wrapping_mul(255).wrapping_add(128) >> 8);
+        let glows = (blue_red >> 16).max(blue_red & 0xFF).max(green) > room;
+        PremultipliedSource { keep, add: color, glows }
     }
 
     #[inline(always)]
-    fn blend<F: Format>(&self, source: &Weighted, stored: F::Raw) -> Color {
-        let kept = Eights::of(F::middle(stored).weighted(source.keep, HALVES));
+    fn blend<F: Format>(&self, source: &PremultipliedSource, stored: F::Raw) -> Color {
+        let stored = if source.glows { F::unpack(stored) } else { F::middle(stored) };
+        let kept = Eights::of(stored.weighted(source.keep, HALVES));
         let added = Eights::of(source.add);
         let (blue_red, green) = (kept.0.wrapping_add(added.0), kept.1.wrapping_add(added.1));
         Eights(saturated(blue_red), saturated(green)).color()
     }
 
     #[inline(always)]
-    fn fill<F: Format>(&self, source: &Weighted, pixels: &mut [F::Raw]) {
-        let (Eights(blue_red, green), keep) = (Eights::of(source.add), source.keep);
-        // What is kept is at most 255 keep / 256, rounded.
-        let room = 255_u32.wrapping_sub(keep.wrapping_mul(255).wrapping_add(128) >> 8);
-        if (blue_red >> 16).max(blue_red & 0xFF).max(green) <= room {
-            let add = Color { blue_red: blue_red << 8, green: green << 24 };
-            let (blue_red, green) = (add.blue_red | HALVES.blue_red, add.green | HALVES.green);
-            F::fade(pixels, keep, Color { blue_red, green });
-        } else {
+    fn fill<F: Format>(&self, source: &PremultipliedSource, pixels: &mut [F::Raw]) {
+        if source.glows {
             for pixel in pixels {
                 *pixel = F::pack(self.blend::<F>(source, *pixel));
             }
+        } else {
+            let Eights(blue_red, green) = Eights::of(source.add);
+            let (blue_red, green) = (blue_red << 8 | 0x0080_0080, green << 24 | 0x0080_0000);
+            F::fade(pixels, source.keep, Color { blue_red, green });
         }
     }
 }
@@ -213,7 +235,7 @@ macro_rules! eights {
                 type Source = Color;
 
                 #[inline(always)]
-                fn source(&self, color: Color) -> Color {
+                fn source<F: Format>(&self, color: Color) -> Color {
                     color
                 }
 
@@ -277,14 +299,18 @@ impl Blend for AnyBlend {
     const READS: bool = true;
     type Source = Color;
 
+    fn reads(&self) -> bool {
+        *self != Self::Replace
+    }
+
     #[inline(always)]
-    fn source(&self, color: Color) -> Color {
+    fn source<F: Format>(&self, color: Color) -> Color {
         color
     }
 
     fn blend<F: Format>(&self, color: &Color, stored: F::Raw) -> Color {
         fn by<F: Format, B: Blend>(mode: &B, color: Color, stored: F::Raw) -> Color {
-            mode.blend::<F>(&mode.source(color), stored)
+            mode.blend::<F>(&mode.source::<F>(color), stored)
         }
         match self {
             Self::Replace => by::<F, _>(&Replace, *color, stored),

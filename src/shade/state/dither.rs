@@ -4,8 +4,13 @@
 pub trait Dither {
     /// The thresholds of a row's pixels, the next one's first.
     type Thresholds: Copy;
-    /// Whether there are any.
+    /// Whether there may be any.
     const DITHERS: bool;
+    /// Whether there are.
+    #[inline(always)]
+    fn dithers(&self) -> bool {
+        Self::DITHERS
+    }
 
     /// Those of row `y` from column `x` on.
     fn thresholds(&self, x: i32, y: i32) -> Self::Thresholds;
@@ -25,7 +30,8 @@ pub struct Undithered;
 ///
 /// # Rounding
 /// Black, white and each channel's ends are met exactly; the mean over a cell is within
-/// 3/16 of a step of the format of the exact value of the colour's 8-bit channels.
+/// 1/16 of a step of the format of the exact value of the colour's 8-bit channels. Colours that
+/// are interpolated count with their fractions, within the error of their planes.
 ///
 /// Source: B. E. Bayer, *An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures*,
 /// ICC 1973.
@@ -35,7 +41,7 @@ pub struct Dither4;
 /// Ordered dither by a matrix of 8x8 thresholds: finer tones than [`Dither4`], a coarser pattern.
 ///
 /// # Rounding
-/// As [`Dither4`], within 1/8 of a step.
+/// As [`Dither4`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dither8;
 
@@ -67,7 +73,7 @@ const fn rank(x: u32, y: u32, bits: u32) -> u32 {
 const LOWEST: u32 = 9;
 const HIGHEST: u32 = 245;
 
-/// The rows of a matrix, eight pixels in a word, the first in the lowest byte, up by three bits.
+/// The rows of a matrix, eight pixels in a word, the first in the lowest byte.
 const fn rows(bits: u32) -> [u64; 8] {
     let last = (1 << (2 * bits)) - 1;
     let mut rows = [0; 8];
@@ -80,7 +86,7 @@ const fn rows(bits: u32) -> [u64; 8] {
             rows[y as usize] |= (threshold as u64) << (8 * x);
             x += 1;
         }
-        rows[y as usize] = rows[y as usize].rotate_left(3);
+
         y += 1;
     }
     rows
@@ -164,6 +170,10 @@ impl Dither for Dither8 {
 impl Dither for AnyDither {
     type Thresholds = Option<u64>;
     const DITHERS: bool = true;
+
+    fn dithers(&self) -> bool {
+        *self != Self::Undithered
+    }
 
     fn thresholds(&self, x: i32, y: i32) -> Option<u64> {
         match self {

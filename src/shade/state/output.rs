@@ -34,7 +34,16 @@ pub trait ColorOutput {
         source: &<Self::Blend as Blend>::Source,
         stored: &F::Raw,
         thresholds: &<Self::Dither as Dither>::Thresholds,
+        dimmed: bool,
     ) -> F::Raw;
+
+    /// Whether colours are best [dimmed](Format::dim) at the corners: they are dithered and not
+    /// blended.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn dims(&self) -> bool {
+        self.dither().dithers() && !self.blend().reads()
+    }
 
     /// Stores one colour in pixels of row `y` from `x` on.
     #[doc(hidden)]
@@ -62,9 +71,11 @@ impl<B: Blend, W: Dither, M: ColorMask> ColorOutput for Output<B, W, M> {
         source: &B::Source,
         stored: &F::Raw,
         thresholds: &W::Thresholds,
+        dimmed: bool,
     ) -> F::Raw {
         let color = self.blend.blend::<F>(source, *stored);
         let packed = match W::first(thresholds) {
+            Some(thresholds) if dimmed => F::pack_dimmed(color, thresholds),
             Some(thresholds) => F::pack_dithered(color, thresholds),
             None => F::pack(color),
         };
@@ -77,11 +88,11 @@ impl<B: Blend, W: Dither, M: ColorMask> ColorOutput for Output<B, W, M> {
 
     #[inline(always)]
     fn fill<F: Format>(&self, pixels: &mut [F::Raw], color: Color, x: i32, y: i32) {
-        let source = self.blend.source(color);
+        let source = self.blend.source::<F>(color);
         if W::DITHERS || M::MASKS {
             let mut thresholds = self.dither.thresholds(x, y);
             for pixel in pixels {
-                *pixel = self.pixel::<F>(&source, pixel, &thresholds);
+                *pixel = self.pixel::<F>(&source, pixel, &thresholds, false);
                 W::step(&mut thresholds);
             }
         } else {

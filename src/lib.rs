@@ -47,15 +47,20 @@ pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{
     Clip, Cull, Pass, ScreenPass, ShadedVertex, Supersampling, VertexCache, Winding,
 };
-pub use scene::{normal, AnyTopology, Camera, IndexedList, Light, List, Mesh, Normal, Topology};
+pub use scene::{
+    normal, AnyLightKind, AnyTopology, Attenuation, Camera, DirectionalLight, IndexedList, Light,
+    List, Mesh, Normal, PointLight, SpotLight, Topology,
+};
 pub use shade::{
-    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState, AnyDither, AnyMask,
-    Average, Blend, Channels, ColorMask, ColorOutput, Coloring, ConstantAlpha, ConstantDepth,
-    Corner, Counter, Counting, DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal,
-    Flat, FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, Multiply, NotEqual,
-    Off, Output, PolygonOffset, Premultiplied, ReadOnly, Replace, Row, Scalar, Shader, SmoothColor,
-    Solid, State, States, Stats, Subtract, Uncounted, Undithered, Varying, VertexColors,
-    VertexInput,
+    Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState,
+    AnyDither, AnyMask, Average, Blend, BlinnPhong, Channels, ColorMask, ColorOutput, Coloring,
+    Constant, ConstantAlpha, ConstantDepth, Corner, Counter, Counting, DepthRange, DepthTest,
+    Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat, FlatColor, Gouraud, Greater,
+    GreaterEqual, Interpolated, Lambert, Less, LessEqual, LightKind, Lighting, Multiply, NotEqual,
+    Off, Output, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying,
+    PolygonOffset, Premultiplied, ReadOnly, Replace, Row, Scalar, Scalars, Shader, SmoothColor,
+    Solid, State, States, Stats, Stepped, Subtract, Surface, Tinted, Uncounted, Undithered, Uv,
+    UvStep, Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -5,26 +5,42 @@
 //! [`Gouraud`] are users of the same trait; both take their colours from a [`Coloring`].
 
 mod coloring;
+mod constant;
 mod flat;
 mod flat_color;
 mod gouraud;
-mod lambert;
+mod interpolated;
+mod lighting;
+mod perspective;
 mod row;
 mod scalar;
+mod scalars;
 mod shader;
 mod smooth_color;
 mod solid;
 mod state;
+mod uv;
 mod varying;
 mod vertex_colors;
 
 pub use coloring::Coloring;
+pub use constant::Constant;
 pub use flat::Flat;
 pub use flat_color::FlatColor;
 pub use gouraud::Gouraud;
-pub use lambert::{Lambert, PreparedLambert};
+pub use interpolated::{Interpolated, Words};
+pub use lighting::{
+    Beam, BlinnPhong, Lambert, LightKind, Lighting, PreparedAnyLight, PreparedBlinnPhong,
+    PreparedLambert, PreparedPoint, PreparedSpot, Surface, Tinted,
+};
+pub use perspective::{
+    Adaptive, Affine, AffineValue, Every, Exact, ExactStep, ExactValue, Interval, Perspective,
+    PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, Subspan,
+    SubspanValue,
+};
 pub use row::Row;
 pub use scalar::Scalar;
+pub use scalars::{Scalars, ScalarsPlanes};
 pub use shader::{DrawContext, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
@@ -35,5 +51,6 @@ pub use state::{
     Less, LessEqual, Multiply, NotEqual, Off, Output, PolygonOffset, Premultiplied, ReadOnly,
     Replace, State, States, Stats, Subtract, Uncounted, Undithered,
 };
-pub use varying::{Corner, Varying};
+pub use uv::{Uv, UvBase, UvPlanes, UvStep};
+pub use varying::{Corner, Stepped, Varying};
 pub use vertex_colors::VertexColors;

@@ -4,18 +4,27 @@ use crate::raster::{Gradients, Span};
 /// What a shader's `vertex` gives for one corner of a triangle.
 pub type Corner<V> = <V as Varying>::Corner;
 
+/// A value that goes from pixel to pixel in equal steps.
+pub trait Stepped: Copy {
+    /// What is added from one pixel to the next.
+    type Step: Copy;
+
+    /// Goes one pixel to the right.
+    fn step(&mut self, step: &Self::Step);
+}
+
 /// A value that varies over a triangle: made at its corners, interpolated to its pixels.
 ///
 /// Building blocks are `()` (nothing), [`FlatColor`](super::FlatColor),
 /// [`SmoothColor`](super::SmoothColor), [`Scalar`](super::Scalar), and up to
 /// eight of them side by side, as a tuple.
-pub trait Varying: Copy {
+pub trait Varying: Stepped {
     /// The value at a corner.
     type Corner: Copy + Default;
     /// What is prepared once a triangle.
     type Planes: Copy;
-    /// What is added from one pixel to the next.
-    type Step: Copy;
+    /// What is known of a row between its runs.
+    type Runs: Copy;
 
     /// Whether planes are needed. Otherwise the provoking corner alone decides, and the other two
     /// are never made.
@@ -38,13 +47,18 @@ pub trait Varying: Copy {
         in_pieces: bool,
     ) -> Self::Planes;
 
+    /// Begins a row: the first [`run`](Self::run) will be at `span.left`.
+    fn runs(planes: &Self::Planes, span: &Span) -> Self::Runs;
+
     /// The value at pixel `x` of a span, the step to its right neighbour, and the first pixel for
     /// which that step is no longer good: beyond the span unless varyings come
-    /// [in runs](Self::IN_RUNS).
-    fn run(planes: &mut Self::Planes, span: &Span, x: i32) -> (Self, Self::Step, i32);
-
-    /// Goes one pixel to the right.
-    fn step(&mut self, step: &Self::Step);
+    /// [in runs](Self::IN_RUNS). From run to run `x` grows.
+    fn run(
+        planes: &Self::Planes,
+        runs: &mut Self::Runs,
+        span: &Span,
+        x: i32,
+    ) -> (Self, Self::Step, i32);
 
     /// Makes planes good for the [`PIECE`](Self::PIECE) pixels of row `y` from `x` on.
     fn settle(planes: &mut Self::Planes, x: i32, y: i32);
@@ -74,10 +88,17 @@ pub(crate) fn mix_word(a: i32, b: i32, c: i32, u: i32, v: i32) -> i32 {
     a.wrapping_add((sum.wrapping_add(1 << 29) >> 30) as i32)
 }
 
+impl Stepped for () {
+    type Step = ();
+
+    #[inline(always)]
+    fn step(&mut self, (): &()) {}
+}
+
 impl Varying for () {
     type Corner = ();
     type Planes = ();
-    type Step = ();
+    type Runs = ();
 
     const INTERPOLATED: bool = false;
     const PIECE: i32 = 0;
@@ -87,12 +108,12 @@ impl Varying for () {
     fn planes(_: &Gradients, _: &[(); 3], (): &(), _in_pieces: bool) {}
 
     #[inline(always)]
-    fn run((): &mut (), _: &Span, _x: i32) -> ((), (), i32) {
-        ((), (), i32::MAX)
-    }
+    fn runs((): &(), _: &Span) {}
 
     #[inline(always)]
-    fn step(&mut self, (): &()) {}
+    fn run((): &(), (): &mut (), _: &Span, _x: i32) -> ((), (), i32) {
+        ((), (), i32::MAX)
+    }
 
     #[inline(always)]
     fn settle((): &mut (), _x: i32, _y: i32) {}
@@ -113,10 +134,19 @@ const fn shorter(a: i32, b: i32) -> i32 {
 /// Varyings side by side.
 macro_rules! groups {
     ($($group:ident $value:ident $number:tt),+) => {
+        impl<$($group: Stepped),+> Stepped for ($($group,)+) {
+            type Step = ($($group::Step,)+);
+
+            #[inline(always)]
+            fn step(&mut self, step: &Self::Step) {
+                $(self.$number.step(&step.$number);)+
+            }
+        }
+
         impl<$($group: Varying),+> Varying for ($($group,)+) {
             type Corner = ($($group::Corner,)+);
             type Planes = ($($group::Planes,)+);
-            type Step = ($($group::Step,)+);
+            type Runs = ($($group::Runs,)+);
 
             const INTERPOLATED: bool = false $(|| $group::INTERPOLATED)+;
             const PIECE: i32 = {
@@ -142,16 +172,21 @@ macro_rules! groups {
             }
 
             #[inline(always)]
-            fn run(planes: &mut Self::Planes, span: &Span, x: i32) -> (Self, Self::Step, i32) {
-                $(let $value = $group::run(&mut planes.$number, span, x);)+
-                let end = i32::MAX;
-                $(let end = end.min($value.2);)+
-                (($($value.0,)+), ($($value.1,)+), end)
+            fn runs(planes: &Self::Planes, span: &Span) -> Self::Runs {
+                ($($group::runs(&planes.$number, span),)+)
             }
 
             #[inline(always)]
-            fn step(&mut self, step: &Self::Step) {
-                $(self.$number.step(&step.$number);)+
+            fn run(
+                planes: &Self::Planes,
+                runs: &mut Self::Runs,
+                span: &Span,
+                x: i32,
+            ) -> (Self, Self::Step, i32) {
+                $(let $value = $group::run(&planes.$number, &mut runs.$number, span, x);)+
+                let end = i32::MAX;
+                $(let end = end.min($value.2);)+
+                (($($value.0,)+), ($($value.1,)+), end)
             }
 
             #[inline(always)]

@@ -101,6 +101,7 @@ impl<'c, D, C, T, O> Pass<'c, States<D, C, T, O>> {
     }
 }
 
+#[allow(clippy::type_complexity, reason = "each parameter is one setting")]
 impl<'c, D, C, T, B, W, M> Pass<'c, States<D, C, T, Output<B, W, M>>> {
     /// Blends colours with those that are stored: [`Alpha`](crate::Alpha) and its kin.
     pub fn blend<N: Blend>(self, blend: N) -> Pass<'c, States<D, C, T, Output<N, W, M>>> {

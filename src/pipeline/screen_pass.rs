@@ -81,6 +81,7 @@ impl<D, C, T, O> ScreenPass<States<D, C, T, O>> {
     }
 }
 
+#[allow(clippy::type_complexity, reason = "each parameter is one setting")]
 impl<D, C, T, B, W, M> ScreenPass<States<D, C, T, Output<B, W, M>>> {
     /// Blends colours with those that are stored.
     pub fn blend<N: Blend>(self, blend: N) -> ScreenPass<States<D, C, T, Output<N, W, M>>> {

@@ -81,7 +81,7 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     #[inline(always)]
     pub fn each(self, mut fragment: impl FnMut(&V) -> Option<Color>) {
         if S::Output::PLAIN {
-            self.store(|varying| fragment(varying).map(F::pack));
+            self.each_packed(|varying| fragment(varying).map(F::pack));
         } else {
             self.place(fragment);
         }
@@ -93,7 +93,7 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     #[inline(always)]
     pub fn each_as_is(self, color: impl Fn(&V) -> Color) {
         if S::Output::PLAIN {
-            return self.store(|varying| Some(F::pack(color(varying))));
+            return self.each(|varying| Some(color(varying)));
         }
         let output = self.output;
         let dimmed = output.dims();
@@ -111,26 +111,9 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     /// nor dithered nor masked; otherwise more, for they are unpacked.
     #[inline(always)]
     pub fn each_packed(self, mut fragment: impl FnMut(&V) -> Option<F::Raw>) {
-        if S::Output::PLAIN {
-            self.store(fragment);
-        } else {
-            self.place(|varying| fragment(varying).map(F::unpack));
+        if !S::Output::PLAIN {
+            return self.place(|varying| fragment(varying).map(F::unpack));
         }
-    }
-
-    /// Blends, dithers and masks colours.
-    #[inline(always)]
-    fn place(self, mut fragment: impl FnMut(&V) -> Option<Color>) {
-        let output = self.output;
-        self.walk(|varying, stored, thresholds| {
-            let source = output.blend().source::<F>(fragment(varying)?);
-            Some(output.pixel::<F>(&source, stored, thresholds, false))
-        });
-    }
-
-    /// The pixel loop where pixels are stored as they are.
-    #[inline(always)]
-    fn store(self, mut fragment: impl FnMut(&V) -> Option<F::Raw>) {
         let Self { pixels, cells, mut z, z_step, mut varying, step, depth, counter, .. } = self;
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
@@ -150,6 +133,16 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
                 core::hint::black_box(());
             }
         }
+    }
+
+    /// Blends, dithers and masks colours.
+    #[inline(always)]
+    fn place(self, mut fragment: impl FnMut(&V) -> Option<Color>) {
+        let output = self.output;
+        self.walk(|varying, stored, thresholds| {
+            let source = output.blend().source::<F>(fragment(varying)?);
+            Some(output.pixel::<F>(&source, stored, thresholds, false))
+        });
     }
 
     /// The pixel loop where what is stored counts, or the place: `put` gives what is to be stored
@@ -188,8 +181,7 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     pub fn fill(self, color: Color) {
         let output = self.output;
         if <Access<S>>::TOUCHES && S::Output::PLAIN {
-            let raw = F::pack(color);
-            self.store(|_| Some(raw));
+            self.each(|_| Some(color));
         } else if <Access<S>>::TOUCHES {
             let source = output.blend().source::<F>(color);
             self.walk(|_, stored, thresholds| {

@@ -6,8 +6,8 @@ use crate::frame::DepthAccess;
 type Access<S> = <<S as State>::Depth as DepthTest>::Access;
 /// How state `S` dithers.
 type OutputDither<S> = <<S as State>::Output as ColorOutput>::Dither;
-/// What a row is dithered by under state `S`.
-type Thresholds<S> = <OutputDither<S> as Dither>::Thresholds;
+/// A colour that is ready to be blended under state `S`.
+type Source<S> = <<<S as State>::Output as ColorOutput>::Blend as Blend>::Source;
 /// A row of depth under state `S`.
 pub(crate) type Cells<'a, S> = <Access<S> as DepthAccess>::Cells<'a>;
 
@@ -97,10 +97,7 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         }
         let output = self.output;
         let dimmed = output.dims();
-        self.walk(|varying, stored, thresholds| {
-            let source = output.blend().source::<F>(color(varying));
-            Some(output.pixel::<F>(&source, stored, thresholds, dimmed))
-        });
+        self.walk(dimmed, |varying| Some(output.blend().source::<F>(color(varying))));
     }
 
     /// The same for pixels that are packed already: for a shader that takes its colours from a
@@ -139,27 +136,24 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     #[inline(always)]
     fn place(self, mut fragment: impl FnMut(&V) -> Option<Color>) {
         let output = self.output;
-        self.walk(|varying, stored, thresholds| {
-            let source = output.blend().source::<F>(fragment(varying)?);
-            Some(output.pixel::<F>(&source, stored, thresholds, false))
-        });
+        self.walk(false, |varying| Some(output.blend().source::<F>(fragment(varying)?)));
     }
 
-    /// The pixel loop where what is stored counts, or the place: `put` gives what is to be stored
-    /// where the second argument is.
+    /// The pixel loop where what is stored counts, or the place: `source` gives what is to be
+    /// blended, of colours that are [dimmed](Format::dim) or not.
     #[inline(always)]
-    fn walk(self, mut put: impl FnMut(&V, &F::Raw, &Thresholds<S>) -> Option<F::Raw>) {
+    fn walk(self, dimmed: bool, mut source: impl FnMut(&V) -> Option<Source<S>>) {
         let Self { x, y, pixels, cells, mut z, z_step, mut varying, step, depth, output, counter } =
             self;
         let mut thresholds = output.dither().thresholds(x, y);
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
             if depth.passes(code, <Access<S>>::read(&cell)) {
-                if let Some(raw) = put(&varying, pixel, &thresholds) {
+                if let Some(source) = source(&varying) {
                     if depth.writes() {
                         <Access<S>>::write(cell, code);
                     }
-                    *pixel = raw;
+                    *pixel = output.pixel::<F>(&source, pixel, &thresholds, dimmed);
                     counter.pixels(1);
                 }
             }
@@ -184,9 +178,7 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
             self.each(|_| Some(color));
         } else if <Access<S>>::TOUCHES {
             let source = output.blend().source::<F>(color);
-            self.walk(|_, stored, thresholds| {
-                Some(output.pixel::<F>(&source, stored, thresholds, false))
-            });
+            self.walk(false, |_| Some(source));
         } else {
             self.counter.pixels(u32::try_from(self.pixels.len()).unwrap_or(u32::MAX));
             output.fill::<F>(self.pixels, color, self.x, self.y);

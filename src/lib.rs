@@ -53,14 +53,14 @@ pub use scene::{
 };
 pub use shade::{
     Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState,
-    AnyDither, AnyMask, Average, Blend, BlinnPhong, Channels, ColorMask, ColorOutput, Coloring,
-    Constant, ConstantAlpha, ConstantDepth, Corner, Counter, Counting, DepthRange, DepthTest,
-    Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat, FlatColor, Gouraud, Greater,
-    GreaterEqual, Interpolated, Lambert, Less, LessEqual, LightKind, Lighting, Multiply, NotEqual,
-    Off, Output, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying,
-    PolygonOffset, Premultiplied, ReadOnly, Replace, Row, Scalar, Scalars, Shader, SmoothColor,
-    Solid, State, States, Stats, Stepped, Subtract, Surface, Tinted, Uncounted, Undithered, Uv,
-    UvStep, Varying, VertexColors, VertexInput,
+    AnyDither, AnyMask, AtFragments, AtVertices, Average, Blend, BlinnPhong, Channels, ColorMask,
+    ColorOutput, Coloring, Constant, ConstantAlpha, ConstantDepth, Corner, Counter, Counting,
+    DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat,
+    FlatColor, Fog, Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual,
+    LightKind, Lighting, Multiply, NotEqual, Off, Output, Perspective, PerspectiveCorner,
+    PerspectiveMode, PerspectiveVarying, PolygonOffset, Premultiplied, ReadOnly, Replace, Row,
+    Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats, Stepped, Subtract, Surface,
+    Tinted, Uncounted, Undithered, Uv, UvStep, Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -8,6 +8,8 @@ mod coloring;
 mod constant;
 mod flat;
 mod flat_color;
+mod fog;
+mod fogged;
 mod gouraud;
 mod interpolated;
 mod lighting;
@@ -27,6 +29,8 @@ pub use coloring::Coloring;
 pub use constant::Constant;
 pub use flat::Flat;
 pub use flat_color::FlatColor;
+pub use fog::{Fog, FogDepth};
+pub use fogged::{AtFragments, AtVertices, FogPlace, Fogged};
 pub use gouraud::Gouraud;
 pub use interpolated::{Interpolated, Words};
 pub use lighting::{

@@ -1,6 +1,6 @@
 use super::mesh_space::{from_world, world_step, MeshPoint};
 use super::surface::dot;
-use super::Beam;
+use super::{Beam, Surface};
 use crate::math::{reciprocal_of_some, Mat4, Vec3};
 use crate::scene::{AnyLightKind, Attenuation, DirectionalLight, PointLight, SpotLight};
 use crate::shade::DrawContext;
@@ -121,7 +121,7 @@ impl LightKind for PointLight {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PreparedSpot {
     point: PreparedPoint,
-    /// From the cone's end to its tip, 2^14 long.
+    /// From the cone's end to its tip, as long as a normal: so cosines come out alike.
     axis: [i32; 3],
     /// Cosine of the outer angle, 2^15 being 1, and one over the difference to the inner one's, 2^8
     /// being 1.
@@ -141,7 +141,7 @@ impl LightKind for SpotLight {
         let width = if width > LEAST_WIDTH { width } else { LEAST_WIDTH };
         PreparedSpot {
             point: self.point.prepare(draw),
-            axis: turned(draw, -self.direction, 16_384.0),
+            axis: turned(draw, -self.direction, Surface::LENGTH as f32),
             outer: (self.outer * 32_768.0) as i32,
             slope: (256.0 / width) as u32,
         }
@@ -150,7 +150,6 @@ impl LightKind for SpotLight {
     #[allow(clippy::cast_possible_truncation, reason = "limited just before")]
     fn beam(prepared: &PreparedSpot, position: [i16; 3]) -> Beam {
         let mut beam = PointLight::beam(&prepared.point, position);
-        // Both at most 2^14 and 16512 long.
         let cosine = dot(&prepared.axis, &beam.direction) >> 13;
         let inside = u64::from(cosine.saturating_sub(prepared.outer).max(0).cast_unsigned());
         let share = inside.saturating_mul(prepared.slope.into()) >> 8;

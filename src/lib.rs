@@ -46,18 +46,23 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 #[cfg(feature = "embedded-graphics")]
 pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
-pub use pipeline::{Clip, Cull, Pass, ScreenPass, ShadedVertex, VertexCache, Winding};
+pub use pipeline::{
+    Clip, Cull, Pass, ScreenPass, ShadedVertex, Supersampling, VertexCache, Winding,
+};
 pub use scene::{
     normal, AnyLightKind, AnyTopology, Attenuation, Camera, DirectionalLight, IndexedList, Light,
     List, Mesh, Normal, PointLight, SpotLight, Topology,
 };
 pub use shade::{
-    Adaptive, Affine, Always, AnyDepth, AtFragments, AtVertices, BlinnPhong, Coloring, Constant,
-    Corner, Counter, Counting, DepthTest, DrawContext, Equal, Every, Exact, Flat, FlatColor, Fog,
-    Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual, LightKind,
-    Lighting, NotEqual, Off, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying,
-    Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats, Stepped, Surface,
-    Textured, Tinted, Uncounted, Unlit, Uv, UvStep, Varying, VertexColors, VertexInput,
+    Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState,
+    AnyDither, AnyMask, AtFragments, AtVertices, Average, Blend, BlinnPhong, Channels, ColorMask,
+    ColorOutput, Coloring, Constant, ConstantAlpha, ConstantDepth, Corner, Counter, Counting,
+    DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat,
+    FlatColor, Fog, Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual,
+    LightKind, Lighting, Multiply, NotEqual, Off, Output, Perspective, PerspectiveCorner,
+    PerspectiveMode, PerspectiveVarying, PolygonOffset, Premultiplied, ReadOnly, Replace, Row,
+    Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats, Stepped, Subtract, Surface,
+    Textured, Tinted, Uncounted, Undithered, Unlit, Uv, UvStep, Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -3,6 +3,7 @@
 //! The firmware, the host program and the tests include this folder, so that all of them draw
 //! from the same source.
 
+pub(crate) mod fragments;
 pub(crate) mod golden;
 pub(crate) mod grid;
 pub(crate) mod hash;
@@ -81,6 +82,7 @@ pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
     standard::scenes()
         .into_iter()
         .chain(toon::scenes())
+        .chain(fragments::scenes())
         .chain(textured::scenes())
         .chain(golden::scenes())
 }

@@ -43,7 +43,7 @@ pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 10] {
 }
 
 /// A frame with depth over the stage's buffers, cleared.
-fn frame<'a>(
+pub(super) fn frame<'a>(
     color: &'a mut [u32],
     depth: &'a mut [u16],
 ) -> Result<Frame<'a, Rgb565, DepthBuffer<'a>>, FrameError> {
@@ -53,11 +53,11 @@ fn frame<'a>(
 }
 
 /// What a frame of these scenes says.
-fn facts(triangles: u32) -> Facts {
+pub(super) fn facts(triangles: u32) -> Facts {
     Facts { bytes: BYTES, triangles }
 }
 
-fn camera() -> Camera {
+pub(super) fn camera() -> Camera {
     Camera::perspective(Angle::from_degrees(45.0), 0.5)
 }
 
@@ -75,7 +75,7 @@ static QUAD_COLORS: [Rgb; 4] = [Rgb::RED, Rgb::GREEN, Rgb::BLUE, Rgb::WHITE];
 static QUAD_INDICES: [u16; 6] = [0, 1, 2, 0, 2, 3];
 
 /// A quad 0.2 % larger than the screen, at z = -2.
-fn quad() -> Mesh<'static, Rgb, IndexedList<'static, u16>> {
+pub(super) fn quad() -> Mesh<'static, Rgb, IndexedList<'static, u16>> {
     // Half the height of the screen at distance 2: 2 tan(22.5 degrees).
     let half = 2.0 * 0.414_213_56 * 1.002;
     Mesh::new(&QUAD, &QUAD_COLORS)
@@ -99,6 +99,7 @@ macro_rules! measured {
         }
     };
 }
+pub(super) use measured;
 
 /// Fill without depth.
 fn f1<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {

@@ -45,4 +45,64 @@ pub trait Format {
             *pixel = raw;
         }
     }
+
+    /// The middle of the colours that are stored as `raw`, where that is cheaper than
+    /// [`unpack`](Self::unpack): what blending by weights takes for the stored colour.
+    ///
+    /// # Rounding
+    /// With a fraction of zero, and not beyond half a step of the format from what `unpack` gives.
+    #[inline(always)]
+    fn middle(raw: Self::Raw) -> Color {
+        Self::unpack(raw)
+    }
+
+    /// The weight that blending takes for one of 0 to 256: the same, unless the format resolves
+    /// fewer.
+    #[inline(always)]
+    fn weight(weight: u32) -> u32 {
+        weight
+    }
+
+    /// Replaces each pixel by `keep / 256` of itself and `add`: blending of one source colour by
+    /// weights.
+    ///
+    /// # Range
+    /// `keep` a [weight](Self::weight); `add` such that no channel's sum exceeds 255.996.
+    ///
+    /// # Rounding
+    /// Cut off, as [`pack`](Self::pack) does: the bits of [`pack`](Self::pack) of
+    /// [`middle`](Self::middle) by weights.
+    ///
+    /// # Cost
+    /// As written here, a loop over the pixels; the built-in formats take two channels or two
+    /// pixels in a word.
+    #[inline(always)]
+    fn fade(pixels: &mut [Self::Raw], keep: u32, add: Color) {
+        for pixel in pixels {
+            *pixel = Self::pack(Self::middle(*pixel).weighted(keep, add));
+        }
+    }
+
+    /// The stored value of a colour under dither: [`pack`](Self::pack), where that keeps eight
+    /// bits of each channel.
+    ///
+    /// `thresholds` holds two of them in 256ths of a step, in bits 0 to 7 (for red and green) and 16
+    /// to 23 (for blue); all other bits may be anything.
+    #[inline(always)]
+    fn pack_dithered(color: Color, _thresholds: u32) -> Self::Raw {
+        Self::pack(color)
+    }
+
+    /// A corner's colour made ready for [`pack_dimmed`](Self::pack_dimmed).
+    #[inline(always)]
+    fn dim(color: Color) -> Color {
+        color
+    }
+
+    /// As [`pack_dithered`](Self::pack_dithered), of a colour between [dimmed](Self::dim) ones:
+    /// what can be done at the corners is not done at the pixels.
+    #[inline(always)]
+    fn pack_dimmed(color: Color, _thresholds: u32) -> Self::Raw {
+        Self::pack(color)
+    }
 }

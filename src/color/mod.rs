@@ -10,6 +10,7 @@
 //! One map leads from 8 bits to every format: a channel `v` is carried as `v + 1/2` and cut off,
 //! so that flat and interpolated colours of the same value give the same bits.
 
+mod fade;
 mod fill;
 mod format;
 mod packed;
@@ -21,8 +22,8 @@ mod rgba8888;
 
 pub(crate) use fill::fill_words;
 pub use format::Format;
-pub(crate) use packed::rounded;
 pub use packed::Color;
+pub(crate) use packed::{rounded, EIGHTS};
 pub use rgb::Rgb;
 pub use rgb16::Rgb16;
 pub use rgb565::Rgb565;

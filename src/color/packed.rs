@@ -3,6 +3,9 @@ use super::{Rgb, Rgb16};
 /// Half a step of an 8-bit channel in 8.8: what turns cutting off into rounding.
 pub(crate) const HALF: u16 = 128;
 
+/// The eight bits of two channels, shifted down.
+pub(crate) const EIGHTS: u32 = 0x00FF_00FF;
+
 /// The colour inside the loops: sixteen bits a channel in two words, independent of any format.
 ///
 /// ```text
@@ -49,6 +52,21 @@ impl Color {
     #[must_use]
     pub const fn with_alpha(self, alpha: u8) -> Self {
         Self { green: self.green & !Self::OPAQUE | (alpha as u32 * 257), ..self }
+    }
+
+    /// `keep / 256` of this colour's channels, without their fractions, and `add`; opaque.
+    ///
+    /// # Range
+    /// `keep` at most 256, and sums below 2^16 a channel: a neighbour is spoilt otherwise.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) const fn weighted(self, keep: u32, add: Self) -> Self {
+        let blue_red = (self.blue_red >> 8 & EIGHTS).wrapping_mul(keep);
+        let green = (self.green >> 24).wrapping_mul(keep) << 16;
+        Self {
+            blue_red: blue_red.wrapping_add(add.blue_red),
+            green: green.wrapping_add(add.green) | Self::OPAQUE,
+        }
     }
 
     /// Alpha without its fraction.

@@ -1,4 +1,11 @@
-use super::{fill_words, Color, Format};
+use super::fade::fade_pairs;
+use super::packed::HALF;
+use super::{fill_words, Color, Format, Rgb16, EIGHTS};
+
+/// What leads from 8.8 to 5.11 (of red and blue) and 6.10 (of green) where full is 31 and 63, in
+/// 256ths.
+const RED_BLUE: u32 = 249;
+const GREEN: u32 = 253;
 
 /// Sixteen bits a pixel, `rrrrrggg gggbbbbb`, in the order of the machine's own u16.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,6 +29,57 @@ impl Rgb565 {
         let (r, g, b) = (raw >> 11, (raw >> 5) & 63, raw & 31);
         Color::new((r << 3 | r >> 2) as u8, (g << 2 | g >> 4) as u8, (b << 3 | b >> 2) as u8)
     }
+
+    /// The middle of the colours that are stored as `raw`.
+    #[inline(always)]
+    pub(super) const fn middle_of(raw: u16) -> Color {
+        let raw = raw as u32;
+        Color {
+            blue_red: raw << 27 | raw & 0xF800 | 0x0400_0400,
+            green: (raw & 0x07E0) << 21 | 0x0200_0000 | Color::OPAQUE,
+        }
+    }
+
+    /// The stored value under dither.
+    ///
+    /// # Rounding
+    /// 249 / 2048 and 253 / 1024 lead from eight bits to 31 and 63 steps (a 300th of a step too
+    /// far at the end), and what the thresholds add stays below one step: black and white are met
+    /// exactly, and no channel runs over.
+    #[inline(always)]
+    pub(super) const fn dithered(color: Color, thresholds: u32) -> u16 {
+        let blue_red = (color.blue_red >> 8 & EIGHTS).wrapping_mul(RED_BLUE);
+        let green = (color.green >> 24).wrapping_mul(GREEN << 16);
+        Self::raised(Color { blue_red, green }, thresholds)
+    }
+
+    /// The stored value under dither of a colour that is brought down to steps already.
+    #[inline(always)]
+    pub(super) const fn raised(color: Color, thresholds: u32) -> u16 {
+        let thresholds = thresholds & EIGHTS;
+        Self::encode(Color {
+            blue_red: color.blue_red.wrapping_add(thresholds << 3),
+            green: color.green.wrapping_add(thresholds << 18),
+        })
+    }
+
+    /// What [`dithered`](Self::dithered) does with a colour of eight bits, done with its fraction
+    /// and without the half step that was added to it: blue and red may then stray by 1/30 of a
+    /// step before they run over.
+    #[inline]
+    pub(super) const fn dimmed(color: Color) -> Color {
+        const fn dim(channel: u32, by: u32) -> u32 {
+            let channel = channel.saturating_sub(HALF as u32);
+            let full = Rgb16::FULL as u32;
+            (if channel < full { channel } else { full }).wrapping_mul(by) >> 8
+        }
+        let red = dim(color.blue_red & 0xFFFF, RED_BLUE);
+        let blue = dim(color.blue_red >> 16, RED_BLUE);
+        Color {
+            blue_red: blue << 16 | red,
+            green: dim(color.green >> 16, GREEN) << 16 | color.green & Color::OPAQUE,
+        }
+    }
 }
 
 impl Format for Rgb565 {
@@ -40,6 +98,37 @@ impl Format for Rgb565 {
     #[inline(always)]
     fn fill(pixels: &mut [u16], raw: u16) {
         fill_words(pixels, raw, u32::from(raw) * 0x0001_0001);
+    }
+
+    #[inline(always)]
+    fn middle(raw: u16) -> Color {
+        Self::middle_of(raw)
+    }
+
+    /// In 32nds.
+    #[inline(always)]
+    fn weight(weight: u32) -> u32 {
+        weight.wrapping_add(4) & !7
+    }
+
+    #[inline(always)]
+    fn fade(pixels: &mut [u16], keep: u32, add: Color) {
+        fade_pairs::<false>(pixels, keep, add);
+    }
+
+    #[inline(always)]
+    fn pack_dithered(color: Color, thresholds: u32) -> u16 {
+        Self::dithered(color, thresholds)
+    }
+
+    #[inline(always)]
+    fn dim(color: Color) -> Color {
+        Self::dimmed(color)
+    }
+
+    #[inline(always)]
+    fn pack_dimmed(color: Color, thresholds: u32) -> u16 {
+        Self::raised(color, thresholds)
     }
 }
 

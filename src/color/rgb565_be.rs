@@ -1,3 +1,4 @@
+use super::fade::fade_pairs;
 use super::{fill_words, Color, Format, Rgb565};
 
 /// Sixteen bits a pixel in the byte order of SPI panels: red's byte comes first in memory.
@@ -23,6 +24,37 @@ impl Format for Rgb565Be {
     #[inline(always)]
     fn fill(pixels: &mut [u16], raw: u16) {
         fill_words(pixels, raw, u32::from(raw) * 0x0001_0001);
+    }
+
+    #[inline(always)]
+    fn middle(raw: u16) -> Color {
+        Rgb565::middle_of(u16::from_be(raw))
+    }
+
+    /// In 32nds.
+    #[inline(always)]
+    fn weight(weight: u32) -> u32 {
+        weight.wrapping_add(4) & !7
+    }
+
+    #[inline(always)]
+    fn fade(pixels: &mut [u16], keep: u32, add: Color) {
+        fade_pairs::<{ cfg!(target_endian = "little") }>(pixels, keep, add);
+    }
+
+    #[inline(always)]
+    fn pack_dithered(color: Color, thresholds: u32) -> u16 {
+        Rgb565::dithered(color, thresholds).to_be()
+    }
+
+    #[inline(always)]
+    fn dim(color: Color) -> Color {
+        Rgb565::dimmed(color)
+    }
+
+    #[inline(always)]
+    fn pack_dimmed(color: Color, thresholds: u32) -> u16 {
+        Rgb565::raised(color, thresholds).to_be()
     }
 }
 

@@ -1,4 +1,4 @@
-use super::{fill_words, Color, Format};
+use super::{fill_words, Color, Format, EIGHTS};
 
 /// Thirty-two bits a pixel: the bytes red, green, blue, 255 in memory on every machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,6 +23,25 @@ impl Format for Rgba8888 {
     #[inline(always)]
     fn fill(pixels: &mut [u32], raw: u32) {
         fill_words(pixels, raw, raw);
+    }
+
+    #[inline(always)]
+    fn fade(pixels: &mut [u32], keep: u32, add: Color) {
+        fade_channels(pixels, keep, add);
+    }
+}
+
+/// [`Format::fade`] with two channels at a time.
+#[inline(never)]
+fn fade_channels(pixels: &mut [u32], keep: u32, add: Color) {
+    let (blue_red, green) = (add.blue_red, add.green >> 16);
+    let fade = |channels: u32, add: u32| {
+        (channels & EIGHTS).wrapping_mul(keep).wrapping_add(add) >> 8 & EIGHTS
+    };
+    for pixel in pixels {
+        let raw = u32::from_le(*pixel);
+        let green = fade(raw >> 8 & 0xFF, green) << 8;
+        *pixel = (fade(raw, blue_red) | green | 0xFF00_0000).to_le();
     }
 }
 

@@ -252,6 +252,15 @@ impl<F: Format, D> Frame<'_, F, D> {
         self.pixels.get_mut(start.wrapping_add(left as usize)..start.wrapping_add(right as usize))
     }
 
+    /// The same, to be read.
+    pub(crate) fn samples(&self, y: i32, left: i32, right: i32) -> Option<&[F::Raw]> {
+        let within = right <= i32::from(self.size.width);
+        let start = self.held_row(y).wrapping_mul(self.stride);
+        let row = start.wrapping_add(left as usize)..start.wrapping_add(right as usize);
+        let held = y >= self.held().top && y < self.held().bottom;
+        (within && held).then_some(self.pixels.get(row)?)
+    }
+
     /// Colours and depth of columns `left..right` of picture row `y`; `None` where the frame does
     /// not reach.
     #[inline(always)]

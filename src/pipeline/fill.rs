@@ -1,7 +1,9 @@
 use crate::color::Format;
 use crate::frame::{DepthAccess, Frame, Supplies};
-use crate::raster::{Gradients, Plane, Span, SpanBatch, SpanWalk, Traversal, Triangle};
-use crate::shade::{Corner, DepthTest, Row, Shader, State, Varying};
+use crate::raster::{
+    Gradients, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
+};
+use crate::shade::{ColorOutput, Corner, DepthTest, Row, Shader, State, Varying};
 
 /// How a state touches depth.
 pub(crate) type Access<S> = <<S as State>::Depth as DepthTest>::Access;
@@ -36,7 +38,52 @@ fn lone_depth_plane(triangle: &Triangle) -> Plane {
     depth_plane(&Gradients::new(triangle), triangle)
 }
 
+/// The plane of a triangle that has the mean of its corners' codes everywhere.
+#[inline(never)]
+fn mean_depth_plane(triangle: &Triangle) -> Plane {
+    let sum = triangle.v.iter().fold(0, |sum: u32, v| sum.wrapping_add(v.z.into()));
+    Plane { origin: (sum / 3) << 16 | 0x8000, dx: 0, dy: 0 }
+}
+
+/// Moves a plane away by 16.16 codes, as far as all corners stay in range.
+#[inline(never)]
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "below 2^32, wrapping")]
+fn move_away(plane: &mut Plane, triangle: &Triangle, by: i64) {
+    let codes = triangle.v.each_ref().map(|v| i64::from(v.z) << 16);
+    let (least, most) =
+        codes.iter().fold((i64::MAX, 0), |(least, most), code| (least.min(*code), most.max(*code)));
+    let by = by.clamp(most.wrapping_sub(0xFFFF_0000), least);
+    plane.origin = plane.origin.wrapping_sub(by as u32);
+}
+
 impl<V: Varying> Fill<'_, V> {
+    /// The plane of the depth codes under a test.
+    #[inline(always)]
+    fn depth_plane(&self, gradients: &Gradients, depth: &impl DepthTest) -> Plane {
+        let plane = |triangle: &Triangle| {
+            if depth.is_constant() {
+                mean_depth_plane(triangle)
+            } else if V::INTERPOLATED {
+                depth_plane(gradients, triangle)
+            } else {
+                lone_depth_plane(triangle)
+            }
+        };
+        let mapped: Triangle;
+        let mut triangle = self.triangle;
+        if depth.maps() {
+            let v = triangle.v.map(|v| ScreenVertex { z: depth.map(v.z), ..v });
+            mapped = Triangle { v, ..*triangle };
+            triangle = &mapped;
+        }
+        let mut plane = plane(triangle);
+        let offset = depth.offset(plane.dx.cast_signed(), plane.dy.cast_signed());
+        if offset != 0 {
+            move_away(&mut plane, triangle, offset);
+        }
+        plane
+    }
+
     /// Draws the triangle's pixels: those of `batch` and all that `walk` still finds.
     ///
     /// One copy of this, with the pixel loop inlined, is what a shader and state cost in flash.
@@ -58,13 +105,18 @@ impl<V: Varying> Fill<'_, V> {
         // What neither depth nor varyings ask for is not computed.
         let gradients =
             if V::INTERPOLATED { Gradients::new(self.triangle) } else { Gradients::NONE };
-        let z_plane = match (<Access<S>>::TOUCHES, V::INTERPOLATED) {
-            (true, true) => depth_plane(&gradients, self.triangle),
-            (true, false) => lone_depth_plane(self.triangle),
-            (false, _) => Plane::default(),
+        let z_plane = if <Access<S>>::TOUCHES {
+            self.depth_plane(&gradients, state.parts().0)
+        } else {
+            Plane::default()
         };
         let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
-        let mut planes = V::planes(&gradients, self.corners, self.provoking, in_pieces);
+        let mut planes = if H::COLOR_AS_IS && state.parts().1.dims() {
+            let dimmed = self.corners.each_ref().map(V::dim::<F>);
+            V::planes(&gradients, &dimmed, self.provoking, in_pieces)
+        } else {
+            V::planes(&gradients, self.corners, self.provoking, in_pieces)
+        };
         loop {
             let drawn = if in_pieces {
                 batch.spans().iter().try_for_each(|span| {
@@ -129,7 +181,7 @@ impl<V: Varying> Ready<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let (depth, counter) = state.parts();
+        let (depth, output, counter) = state.parts();
         for span in spans {
             let Span { y, left, right, .. } = *span;
             let (pixels, cells) = frame.row_with_depth::<Access<S>>(y, left, right)?;
@@ -154,6 +206,7 @@ impl<V: Varying> Ready<'_, V> {
                         varying,
                         step,
                         depth,
+                        output,
                         counter: &mut *counter,
                     });
                     x = end;
@@ -172,6 +225,7 @@ impl<V: Varying> Ready<'_, V> {
                 varying,
                 step,
                 depth,
+                output,
                 counter,
             });
         }

@@ -13,6 +13,7 @@ mod fill;
 mod mapping;
 mod pass;
 mod projected;
+mod resolve;
 mod screen_pass;
 mod transform;
 
@@ -21,4 +22,5 @@ pub use clip::Clip;
 use cull::CulledWindings;
 pub use cull::{Cull, Winding};
 pub use pass::Pass;
+pub use resolve::Supersampling;
 pub use screen_pass::{ScreenPass, ShadedVertex};

@@ -11,8 +11,8 @@ use crate::math::Mat4;
 use crate::raster::{SpanBatch, Traversal, GUARD, SUBPIXELS};
 use crate::scene::{Camera, Mesh, Topology, Vertices};
 use crate::shade::{
-    Corner, Counter, Counting, DepthTest, DrawContext, Event, Shader, State, States, Stats,
-    Varying, VertexInput,
+    Blend, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event, Output,
+    Shader, State, States, Stats, Varying, VertexInput,
 };
 
 /// Draws meshes: a camera, and the state in which triangles are drawn.
@@ -63,26 +63,66 @@ impl<'c> Pass<'c> {
     }
 }
 
-impl<'c, D, C, T> Pass<'c, States<D, C, T>> {
+impl<'c, D, C, T, O> Pass<'c, States<D, C, T, O>> {
     /// Tests depth, and writes it where the test says so: [`Less`](crate::Less) and its kin.
-    pub fn depth<N: DepthTest>(self, depth: N) -> Pass<'c, States<N, C, T>> {
-        self.map(|States { counter, traversal, .. }| States { depth, counter, traversal })
+    pub fn depth<N: DepthTest>(self, depth: N) -> Pass<'c, States<N, C, T, O>> {
+        self.map(|States { counter, traversal, output, .. }| States {
+            depth,
+            counter,
+            traversal,
+            output,
+        })
     }
 
     /// Counts triangles and pixels into `stats`, on top of what it holds.
-    pub fn count(self, stats: &mut Stats) -> Pass<'c, States<D, Counting<'_>, T>> {
+    pub fn count(self, stats: &mut Stats) -> Pass<'c, States<D, Counting<'_>, T, O>> {
         let counter = Counting(stats);
-        self.map(|States { depth, traversal, .. }| States { depth, counter, traversal })
+        self.map(|States { depth, traversal, output, .. }| States {
+            depth,
+            counter,
+            traversal,
+            output,
+        })
     }
 
     /// Finds pixels in another way; all ways give the same picture.
-    pub fn traversal<N: Traversal>(self, traversal: N) -> Pass<'c, States<D, C, N>> {
-        self.map(|States { depth, counter, .. }| States { depth, counter, traversal })
+    pub fn traversal<N: Traversal>(self, traversal: N) -> Pass<'c, States<D, C, N, O>> {
+        self.map(|States { depth, counter, output, .. }| States {
+            depth,
+            counter,
+            traversal,
+            output,
+        })
     }
 
-    fn map<N>(self, change: impl FnOnce(States<D, C, T>) -> N) -> Pass<'c, N> {
+    fn map<N>(self, change: impl FnOnce(States<D, C, T, O>) -> N) -> Pass<'c, N> {
         let Self { camera, cull, front, viewport, state } = self;
         Pass { camera, cull, front, viewport, state: change(state) }
+    }
+}
+
+#[allow(clippy::type_complexity, reason = "each parameter is one setting")]
+impl<'c, D, C, T, B, W, M> Pass<'c, States<D, C, T, Output<B, W, M>>> {
+    /// Blends colours with those that are stored: [`Alpha`](crate::Alpha) and its kin.
+    pub fn blend<N: Blend>(self, blend: N) -> Pass<'c, States<D, C, T, Output<N, W, M>>> {
+        self.map(|state| {
+            state.map_output(|Output { dither, mask, .. }| Output { blend, dither, mask })
+        })
+    }
+
+    /// Dithers colours where the format has fewer than eight bits a channel:
+    /// [`Dither4`](crate::Dither4) or [`Dither8`](crate::Dither8).
+    pub fn dither<N: Dither>(self, dither: N) -> Pass<'c, States<D, C, T, Output<B, N, M>>> {
+        self.map(|state| {
+            state.map_output(|Output { blend, mask, .. }| Output { blend, dither, mask })
+        })
+    }
+
+    /// Writes only some of the channels: [`Channels`](crate::Channels).
+    pub fn color_mask<N: ColorMask>(self, mask: N) -> Pass<'c, States<D, C, T, Output<B, W, N>>> {
+        self.map(|state| {
+            state.map_output(|Output { blend, dither, .. }| Output { blend, dither, mask })
+        })
     }
 }
 
@@ -164,7 +204,7 @@ impl<S: State> Pass<'_, S> {
         let placed = (!H::OWN_POSITIONS).then_some(&mut transform);
         let mapping = prepare(self.camera, near, model, &place, viewport, placed);
         let Some(mapping) = mapping else {
-            let (_, counter) = self.state.parts();
+            let counter = self.state.counter();
             for _ in 0..mesh.triangles() {
                 counter.event(Event::Triangle);
                 counter.event(Event::Skipped);
@@ -278,18 +318,18 @@ impl<H: Shader> Draw<'_, H> {
     {
         let mut face = Face::NONE;
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
-        while assembly.next(positions, cache.entries, state.parts().1, &mut face) {
+        while assembly.next(positions, cache.entries, state.counter(), &mut face) {
             let traversal = state.traversal();
             traversal.start(&mut walk, &face.triangle, &assembly.area, &mut batch);
             if batch.is_empty() {
                 if !face.clipped {
-                    state.parts().1.event(Event::Outside);
+                    state.counter().event(Event::Outside);
                 }
                 continue;
             }
             // Only now, with a pixel to draw, are its vertices shaded.
             let Some(mut corners) = self.corners(&face, positions, &mut cache) else {
-                state.parts().1.event(Event::Skipped);
+                state.counter().event(Event::Skipped);
                 face.clipped = false;
                 continue;
             };
@@ -302,7 +342,7 @@ impl<H: Shader> Draw<'_, H> {
                     corners.swap(1, 2);
                 }
             } else {
-                state.parts().1.event(Event::Drawn);
+                state.counter().event(Event::Drawn);
             }
             Fill { triangle: &face.triangle, corners: &corners, provoking: &provoking }.draw(
                 frame,

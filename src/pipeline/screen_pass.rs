@@ -3,7 +3,10 @@ use super::{Cull, CulledWindings, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
 use crate::raster::{Line, PointWalk, ScreenVertex, SpanBatch, SpanWalk, Traversal, Triangle};
-use crate::shade::{Corner, Counter, Counting, DepthTest, Event, Shader, State, States, Stats};
+use crate::shade::{
+    Blend, ColorMask, Corner, Counter, Counting, DepthTest, Dither, Event, Output, Shader, State,
+    States, Stats,
+};
 
 /// A corner on the screen and what shader `H` interpolates from it.
 pub type ShadedVertex<H> = (ScreenVertex, Corner<<H as Shader>::Varying>);
@@ -40,23 +43,65 @@ impl ScreenPass {
     }
 }
 
-impl<D, C, T> ScreenPass<States<D, C, T>> {
+impl<D, C, T, O> ScreenPass<States<D, C, T, O>> {
     /// Tests depth, and writes it where the test says so.
-    pub fn depth<N: DepthTest>(self, depth: N) -> ScreenPass<States<N, C, T>> {
-        let Self { cull, front, state: States { counter, traversal, .. } } = self;
-        ScreenPass { cull, front, state: States { depth, counter, traversal } }
+    pub fn depth<N: DepthTest>(self, depth: N) -> ScreenPass<States<N, C, T, O>> {
+        self.map(|States { counter, traversal, output, .. }| States {
+            depth,
+            counter,
+            traversal,
+            output,
+        })
     }
 
     /// Counts triangles and pixels into `stats`, on top of what it holds.
-    pub fn count(self, stats: &mut Stats) -> ScreenPass<States<D, Counting<'_>, T>> {
-        let Self { cull, front, state: States { depth, traversal, .. } } = self;
-        ScreenPass { cull, front, state: States { depth, counter: Counting(stats), traversal } }
+    pub fn count(self, stats: &mut Stats) -> ScreenPass<States<D, Counting<'_>, T, O>> {
+        let counter = Counting(stats);
+        self.map(|States { depth, traversal, output, .. }| States {
+            depth,
+            counter,
+            traversal,
+            output,
+        })
     }
 
     /// Finds pixels in another way; all ways give the same picture.
-    pub fn traversal<N: Traversal>(self, traversal: N) -> ScreenPass<States<D, C, N>> {
-        let Self { cull, front, state: States { depth, counter, .. } } = self;
-        ScreenPass { cull, front, state: States { depth, counter, traversal } }
+    pub fn traversal<N: Traversal>(self, traversal: N) -> ScreenPass<States<D, C, N, O>> {
+        self.map(|States { depth, counter, output, .. }| States {
+            depth,
+            counter,
+            traversal,
+            output,
+        })
+    }
+
+    fn map<N>(self, change: impl FnOnce(States<D, C, T, O>) -> N) -> ScreenPass<N> {
+        let Self { cull, front, state } = self;
+        ScreenPass { cull, front, state: change(state) }
+    }
+}
+
+#[allow(clippy::type_complexity, reason = "each parameter is one setting")]
+impl<D, C, T, B, W, M> ScreenPass<States<D, C, T, Output<B, W, M>>> {
+    /// Blends colours with those that are stored.
+    pub fn blend<N: Blend>(self, blend: N) -> ScreenPass<States<D, C, T, Output<N, W, M>>> {
+        self.map(|state| {
+            state.map_output(|Output { dither, mask, .. }| Output { blend, dither, mask })
+        })
+    }
+
+    /// Dithers colours where the format has fewer than eight bits a channel.
+    pub fn dither<N: Dither>(self, dither: N) -> ScreenPass<States<D, C, T, Output<B, N, M>>> {
+        self.map(|state| {
+            state.map_output(|Output { blend, mask, .. }| Output { blend, dither, mask })
+        })
+    }
+
+    /// Writes only some of the channels.
+    pub fn color_mask<N: ColorMask>(self, mask: N) -> ScreenPass<States<D, C, T, Output<B, W, N>>> {
+        self.map(|state| {
+            state.map_output(|Output { blend, dither, .. }| Output { blend, dither, mask })
+        })
     }
 }
 
@@ -191,7 +236,7 @@ impl<S: State> ScreenPass<S> {
 
     #[inline(always)]
     fn event(&mut self, event: Event) {
-        self.state.parts().1.event(event);
+        self.state.counter().event(event);
     }
 
     /// Draws triangles one after the other: cheaper than one call for each.
@@ -210,7 +255,7 @@ impl<S: State> ScreenPass<S> {
         let culled = CulledWindings::new(self.cull, self.front);
         let area = frame.scissor();
         for [(a, p), (b, q), (c, r)] in triangles {
-            let (_, counter) = self.state.parts();
+            let counter = self.state.counter();
             counter.event(Event::Triangle);
             let vertices = [*a, *b, *c];
             if !Triangle::in_range(&vertices, frame.picture()) {
@@ -228,10 +273,10 @@ impl<S: State> ScreenPass<S> {
             }
             self.state.traversal().start(&mut walk, triangle, &area, &mut batch);
             if batch.is_empty() {
-                self.state.parts().1.event(Event::Outside);
+                self.state.counter().event(Event::Outside);
                 continue;
             }
-            self.state.parts().1.event(Event::Drawn);
+            self.state.counter().event(Event::Drawn);
             let ordered = if triangle.flipped { [*p, *r, *q] } else { [*p, *q, *r] };
             Fill { triangle, corners: &ordered, provoking: p }.draw(
                 frame,

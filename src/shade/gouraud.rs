@@ -1,8 +1,8 @@
 use super::{
-    Coloring, Corner, DrawContext, Lambert, LightKind, Shader, SmoothColor, VertexColors,
-    VertexInput,
+    Coloring, Corner, DrawContext, Lambert, LightKind, Row, Shader, SmoothColor, State,
+    VertexColors, VertexInput,
 };
-use crate::color::Color;
+use crate::color::{Color, Format};
 use crate::scene::Light;
 
 /// Gouraud shading: colours made at the vertices and interpolated between them.
@@ -38,6 +38,8 @@ impl<C: Coloring> Shader for Gouraud<C> {
     type Varying = SmoothColor;
     type Prepared = C::Prepared;
 
+    const COLOR_AS_IS: bool = true;
+
     #[inline(always)]
     fn prepare(&self, draw: &DrawContext) -> C::Prepared {
         self.0.prepare(draw)
@@ -55,5 +57,10 @@ impl<C: Coloring> Shader for Gouraud<C> {
     #[inline(always)]
     fn fragment(&self, varying: &SmoothColor) -> Option<Color> {
         Some(varying.color())
+    }
+
+    #[inline(always)]
+    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, SmoothColor>) {
+        row.each_as_is(|varying| varying.color());
     }
 }

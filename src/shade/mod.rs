@@ -51,8 +51,11 @@ pub use shader::{DrawContext, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
 pub use state::{
-    Always, AnyDepth, Counter, Counting, DepthTest, Equal, Event, Greater, GreaterEqual, Less,
-    LessEqual, NotEqual, Off, State, States, Stats, Uncounted,
+    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState, AnyDither, AnyMask,
+    Average, Blend, Channels, ColorMask, ColorOutput, ConstantAlpha, ConstantDepth, Counter,
+    Counting, DepthRange, DepthTest, Dither, Dither4, Dither8, Equal, Event, Greater, GreaterEqual,
+    Less, LessEqual, Multiply, NotEqual, Off, Output, PolygonOffset, Premultiplied, ReadOnly,
+    Replace, State, States, Stats, Subtract, Uncounted, Undithered,
 };
 pub use textured::Textured;
 pub use unlit::Unlit;

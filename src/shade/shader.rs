@@ -66,6 +66,11 @@ pub trait Shader {
     /// Whether [`position`](Self::position) gives the positions instead of the mesh.
     const OWN_POSITIONS: bool = false;
 
+    /// Whether fragments are the colour that the varying carries, as it is, and
+    /// [`span`](Self::span) draws them by [`Row::each_as_is`]: then dithering may begin at the
+    /// corners.
+    const COLOR_AS_IS: bool = false;
+
     /// Runs once a draw.
     fn prepare(&self, draw: &DrawContext) -> Self::Prepared;
 

@@ -1,6 +1,6 @@
 use super::flat_color::mix_color;
 use super::{Interpolated, Stepped, Varying};
-use crate::color::Color;
+use crate::color::{Color, Format};
 use crate::raster::{Gradients, Plane, Slopes, Span};
 
 /// A colour interpolated over the triangle, linear on the screen (Gouraud).
@@ -105,6 +105,11 @@ impl Varying for SmoothColor {
             let drift = here.wrapping_sub(planes.blue_red.at(x, y));
             planes.blue_red.origin = planes.blue_red.origin.wrapping_add(drift);
         }
+    }
+
+    #[inline(always)]
+    fn dim<F: Format>(corner: &Color) -> Color {
+        F::dim(*corner)
     }
 
     #[inline(always)]

@@ -1,3 +1,4 @@
+use crate::color::Format;
 use crate::raster::{Gradients, Span};
 
 /// What a shader's `vertex` gives for one corner of a triangle.
@@ -66,6 +67,12 @@ pub trait Varying: Stepped {
     /// perspective keeps it.
     #[inline(always)]
     fn place(_corner: &mut Self::Corner, _w: impl Fn() -> i32) {}
+
+    /// A corner whose colour is [dimmed](Format::dim), of varyings that carry one.
+    #[inline(always)]
+    fn dim<F: Format>(corner: &Self::Corner) -> Self::Corner {
+        *corner
+    }
 
     /// The corner `a + (b - a) u + (c - a) v`, both weights in units of 2^-30: where clipping makes
     /// a new one. (0, 0), (2^30, 0) and (0, 2^30) give the three corners exactly.

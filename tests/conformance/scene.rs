@@ -75,8 +75,7 @@ pub(crate) struct Scene {
 impl Scene {
     /// Reads the text form; the message says which line is wrong.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
-        let mut scene =
-            Self {
+        let mut scene = Self {
             width: 0,
             height: 0,
             clip: false,

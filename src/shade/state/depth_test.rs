@@ -13,6 +13,31 @@ pub trait DepthTest {
 
     /// Whether a fragment that is drawn leaves its depth.
     fn writes(&self) -> bool;
+
+    /// Whether a triangle has one code for all of its pixels: the mean of its corners'.
+    #[inline(always)]
+    fn is_constant(&self) -> bool {
+        false
+    }
+
+    /// Whether corners' codes are [mapped](Self::map).
+    #[inline(always)]
+    fn maps(&self) -> bool {
+        false
+    }
+
+    /// The code that takes the place of a corner's.
+    #[inline(always)]
+    fn map(&self, code: u16) -> u16 {
+        code
+    }
+
+    /// By how much a triangle is farther than it says, as 16.16 codes, where its depth changes by
+    /// so much from one pixel to the next, across and down.
+    #[inline(always)]
+    fn offset(&self, _dx: i32, _dy: i32) -> i64 {
+        0
+    }
 }
 
 /// No depth test and no depth written: the frame needs no depth buffer.

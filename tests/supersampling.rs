@@ -1,6 +1,7 @@
 //! Pixels that are the mean of their samples.
 #![allow(
     clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
     clippy::cast_sign_loss,
     clippy::expect_used,
     reason = "random numbers are cut to what is wanted"

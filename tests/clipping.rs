@@ -11,7 +11,7 @@ mod support;
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::{
     Camera, Color, Cull, DrawContext, Flat, FlatColor, Frame, Gouraud, Mesh, Pass, Rgb, Rgba8888,
-    Shader, Size, SmoothColor, Stats, MAX_SIDE,
+    Shader, Size, SmoothColor, Stats, VertexInput, MAX_SIDE,
 };
 use support::{InClipSpace, Random};
 
@@ -127,8 +127,8 @@ impl Shader for FlatBesideSmooth {
 
     fn prepare(&self, _: &DrawContext) {}
 
-    fn vertex(&self, (): &(), vertex: &Rgb) -> (Color, Color) {
-        ((*vertex).into(), Rgb::WHITE.into())
+    fn vertex(&self, (): &(), vertex: VertexInput<'_, Rgb>) -> (Color, Color) {
+        ((*vertex.attributes).into(), Rgb::WHITE.into())
     }
 
     fn fragment(&self, (flat, _): &(FlatColor, SmoothColor)) -> Option<Color> {

@@ -16,7 +16,7 @@ use microraster::raster::ScreenVertex;
 use microraster::{
     AnyDepth, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, Frame, FrameError, Gouraud,
     Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Scalar, ScreenPass,
-    Shader, Size, SmoothColor, Stats, Topology, VertexCache,
+    Shader, Size, SmoothColor, Stats, Topology, VertexCache, VertexInput,
 };
 use support::{InClipSpace, Random};
 
@@ -339,8 +339,8 @@ impl Shader for Chequered {
 
     fn prepare(&self, _: &DrawContext) {}
 
-    fn vertex(&self, (): &(), vertex: &(u16, u16)) -> (u16, u16) {
-        *vertex
+    fn vertex(&self, (): &(), vertex: VertexInput<'_, (u16, u16)>) -> (u16, u16) {
+        *vertex.attributes
     }
 
     fn fragment(&self, (x, y): &(Scalar, Scalar)) -> Option<Color> {

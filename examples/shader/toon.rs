@@ -1,7 +1,7 @@
 //! A shader of one's own: light in a few flat tones, as in a comic.
 
 use microraster::math::Vec3;
-use microraster::{Color, DrawContext, Format, Normal, Row, Scalar, Shader, State};
+use microraster::{Color, DrawContext, Format, Normal, Row, Scalar, Shader, State, VertexInput};
 
 /// Tones from the dark side to the bright one, and where the light comes from.
 #[derive(Clone, Copy, Debug)]
@@ -25,8 +25,8 @@ impl Shader for Toon {
     }
 
     #[allow(clippy::cast_possible_truncation, reason = "limited to 16 bits just before")]
-    fn vertex(&self, [x, y, z]: &[i32; 3], normal: &Normal) -> u16 {
-        let [nx, ny, nz] = normal.map(i32::from);
+    fn vertex(&self, [x, y, z]: &[i32; 3], vertex: VertexInput<'_, Normal>) -> u16 {
+        let [nx, ny, nz] = vertex.attributes.map(i32::from);
         // From -127 x 4096, turned away, to 127 x 4096.
         let cosine = x * nx + y * ny + z * nz;
         ((cosine + 127 * 4096) >> 4).clamp(0, 65_535) as u16
@@ -50,8 +50,8 @@ impl Shader for PackedToon {
         self.0.prepare(draw)
     }
 
-    fn vertex(&self, to_light: &[i32; 3], normal: &Normal) -> u16 {
-        self.0.vertex(to_light, normal)
+    fn vertex(&self, to_light: &[i32; 3], vertex: VertexInput<'_, Normal>) -> u16 {
+        self.0.vertex(to_light, vertex)
     }
 
     fn fragment(&self, brightness: &Scalar) -> Option<Color> {

@@ -8,11 +8,12 @@ pub(crate) const HALF: u16 = 128;
 /// ```text
 ///            31            16 15             0
 /// blue_red   | blue    8.8  | red      8.8  |
-/// green      | green                   8.24 |
+/// green      | green   8.8  | alpha    8.8  |
 /// ```
 /// 8.8 and 5.11 are the same sixteen bits, so packing to RGB565 is two masks and two shifts and
 /// packing to RGBA8888 is two masks: the low bits may be anything. Red lies low and blue high
-/// because both formats then take red without a shift.
+/// because both formats then take red without a shift. Alpha lies where formats cut off green's
+/// fraction, so that what does not blend does not know of it.
 ///
 /// # Rounding
 /// Made from 8-bit channels the fraction is one half, so that formats may cut off: an RGBA8888
@@ -22,22 +23,39 @@ pub(crate) const HALF: u16 = 128;
 pub struct Color {
     /// Blue as 8.8 in the upper half, red as 8.8 in the lower.
     pub blue_red: u32,
-    /// Green as 8.24.
+    /// Green as 8.8 in the upper half, alpha in the lower: [`OPAQUE`](Self::OPAQUE) is full.
     pub green: u32,
 }
 
 impl Color {
-    /// The colour of three 8-bit channels.
+    /// Full alpha, in the lower half of [`green`](Self::green).
+    pub const OPAQUE: u32 = 0xFFFF;
+
+    /// The opaque colour of three 8-bit channels.
     pub const fn new(r: u8, g: u8, b: u8) -> Self {
         Self::from_rgb16(Rgb16::from_rgb(Rgb::new(r, g, b)))
     }
 
-    /// The colour of three 8.8 channels.
+    /// The opaque colour of three 8.8 channels.
     pub const fn from_rgb16(rgb: Rgb16) -> Self {
         Self {
             blue_red: (rounded(rgb.b) as u32) << 16 | rounded(rgb.r) as u32,
-            green: (rounded(rgb.g) as u32) << 16,
+            green: (rounded(rgb.g) as u32) << 16 | Self::OPAQUE,
         }
+    }
+
+    /// The same colour with another alpha: 0 is invisible, 255 opaque.
+    #[inline(always)]
+    #[must_use]
+    pub const fn with_alpha(self, alpha: u8) -> Self {
+        Self { green: self.green & !Self::OPAQUE | (alpha as u32 * 257), ..self }
+    }
+
+    /// Alpha without its fraction.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the shift leaves eight bits")]
+    pub const fn alpha(self) -> u8 {
+        (self.green >> 8) as u8
     }
 
     /// Red without its fraction.
@@ -101,6 +119,15 @@ mod tests {
                 (v, 255 - v, v / 2),
                 "channel {v} came back as another"
             );
+        }
+    }
+
+    #[test]
+    fn every_alpha_survives_the_trip_and_leaves_green_alone() {
+        assert_eq!(Color::new(1, 2, 3).alpha(), 255, "opaque");
+        for alpha in 0..=255 {
+            let color = Color::new(9, alpha, 7).with_alpha(alpha);
+            assert_eq!((color.alpha(), color.green()), (alpha, alpha), "alpha {alpha}");
         }
     }
 

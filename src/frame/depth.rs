@@ -25,6 +25,12 @@ pub trait DepthAccess {
     /// Walks a row.
     type Iter<'a>: Iterator<Item = Self::Cell<'a>>;
 
+    /// So many cells of a row from number `from` on; `None` where there are fewer.
+    fn part<'a>(
+        cells: &'a mut Self::Cells<'_>,
+        from: usize,
+        length: usize,
+    ) -> Option<Self::Cells<'a>>;
     /// The walk over a row.
     fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a>;
     /// The stored code.
@@ -48,6 +54,11 @@ impl DepthAccess for Untouched {
     type Iter<'a> = Repeat<()>;
 
     #[inline(always)]
+    fn part((): &mut Self::Cells<'_>, _from: usize, _length: usize) -> Option<()> {
+        Some(())
+    }
+
+    #[inline(always)]
     fn iter<'a>((): Self::Cells<'a>) -> Self::Iter<'a> {
         core::iter::repeat(())
     }
@@ -66,6 +77,15 @@ impl DepthAccess for ReadWrite {
     type Cells<'a> = &'a mut [u16];
     type Cell<'a> = &'a mut u16;
     type Iter<'a> = IterMut<'a, u16>;
+
+    #[inline(always)]
+    fn part<'a>(
+        cells: &'a mut Self::Cells<'_>,
+        from: usize,
+        length: usize,
+    ) -> Option<&'a mut [u16]> {
+        cells.get_mut(from..)?.get_mut(..length)
+    }
 
     #[inline(always)]
     fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a> {

@@ -68,14 +68,14 @@ impl<V: Varying> Fill<'_, V> {
         loop {
             let drawn = if in_pieces {
                 batch.spans().iter().try_for_each(|span| {
-                    pieces(span, V::PIECE).try_for_each(|piece| {
-                        V::settle(&mut planes, piece.first, piece.y);
-                        let ready = Ready { planes: &planes, z_plane: &z_plane };
+                    pieces(span, V::PIECE).try_for_each(|(start, piece)| {
+                        V::settle(&mut planes, start, piece.y);
+                        let mut ready = Ready { planes: &mut planes, z_plane: &z_plane };
                         ready.draw::<H, S, F, D>(&[piece], frame, state, shader)
                     })
                 })
             } else {
-                let ready = Ready { planes: &planes, z_plane: &z_plane };
+                let mut ready = Ready { planes: &mut planes, z_plane: &z_plane };
                 ready.draw::<H, S, F, D>(batch.spans(), frame, state, shader)
             };
             if drawn.is_none() || batch.is_last() {
@@ -86,21 +86,19 @@ impl<V: Varying> Fill<'_, V> {
     }
 }
 
-/// A span in pieces of `length` pixels from the row's first covered one, as far as they are drawn.
-fn pieces(span: &Span, length: i32) -> impl Iterator<Item = Span> {
-    let Span { y, first, left, right } = *span;
+/// A span in pieces of `length` pixels from the row's first covered one, as far as they are drawn,
+/// and where each would begin.
+fn pieces(span: &Span, length: i32) -> impl Iterator<Item = (i32, Span)> {
+    let Span { first, left, right, .. } = *span;
+    let span = *span;
     let mut from = first;
     core::iter::from_fn(move || {
         while from < right {
             let (start, end) = (from, from.wrapping_add(length));
             from = end;
             if end > left {
-                return Some(Span {
-                    y,
-                    first: start,
-                    left: start.max(left),
-                    right: end.min(right),
-                });
+                let piece = Span { left: start.max(left), right: end.min(right), ..span };
+                return Some((start, piece));
             }
         }
         None
@@ -109,7 +107,7 @@ fn pieces(span: &Span, length: i32) -> impl Iterator<Item = Span> {
 
 /// A triangle's planes, ready for its spans.
 struct Ready<'a, V: Varying> {
-    planes: &'a V::Planes,
+    planes: &'a mut V::Planes,
     z_plane: &'a Plane,
 }
 
@@ -119,7 +117,7 @@ impl<V: Varying> Ready<'_, V> {
     /// Apart from the walk, so that the registers are the pixel loop's.
     #[inline(never)]
     fn draw<H, S, F, D>(
-        &self,
+        &mut self,
         spans: &[Span],
         frame: &mut Frame<'_, F, D>,
         state: &mut S,
@@ -132,10 +130,39 @@ impl<V: Varying> Ready<'_, V> {
         D: Supplies<Access<S>>,
     {
         let (depth, counter) = state.parts();
-        for &Span { y, left, right, .. } in spans {
+        for span in spans {
+            let Span { y, left, right, .. } = *span;
             let (pixels, cells) = frame.row_with_depth::<Access<S>>(y, left, right)?;
-            let (varying, step) = V::start(self.planes, left, y);
+            if V::IN_RUNS {
+                let mut cells = cells;
+                let mut x = left;
+                while x < right {
+                    let (varying, step, end) = V::run(self.planes, span, x);
+                    let end = end.min(right);
+                    let (from, length) = (x.wrapping_sub(left), end.wrapping_sub(x));
+                    let (from, length) = (from as usize, length as usize);
+                    let pixels = pixels.get_mut(from..)?.get_mut(..length)?;
+                    let cells = <Access<S>>::part(&mut cells, from, length)?;
+                    shader.span(Row::<S, F, V> {
+                        x,
+                        y,
+                        pixels,
+                        cells,
+                        z: self.z_plane.at(x, y),
+                        z_step: self.z_plane.dx,
+                        varying,
+                        step,
+                        depth,
+                        counter: &mut *counter,
+                    });
+                    x = end;
+                }
+                continue;
+            }
+            let (varying, step, _) = V::run(self.planes, span, left);
             shader.span(Row::<S, F, V> {
+                x: left,
+                y,
                 pixels,
                 cells,
                 z: self.z_plane.at(left, y),

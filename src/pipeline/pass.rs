@@ -11,7 +11,8 @@ use crate::math::Mat4;
 use crate::raster::{SpanBatch, Traversal, GUARD, SUBPIXELS};
 use crate::scene::{Camera, Mesh, Topology, Vertices};
 use crate::shade::{
-    Corner, Counter, Counting, DepthTest, DrawContext, Event, Shader, State, States, Stats, Varying,
+    Corner, Counter, Counting, DepthTest, DrawContext, Event, Shader, State, States, Stats,
+    Varying, VertexInput,
 };
 
 /// Draws meshes: a camera, and the state in which triangles are drawn.
@@ -184,6 +185,8 @@ impl<S: State> Pass<'_, S> {
             model: *model,
             view: self.camera.view(),
             projection: self.camera.projection(aspect(size)),
+            scale,
+            offset,
             viewport: size,
         };
         let draw = Draw { vertices, shader, prepared: &shader.prepare(&context) };
@@ -236,6 +239,12 @@ fn prepare(
     Some(Mapping::new(left, top, size, depth))
 }
 
+/// The w of a vertex that was projected, or is behind the eye and has 1.
+#[inline(always)]
+fn w<P: Positions>(positions: &P, index: u32) -> i32 {
+    positions.clip(index).map_or(1, |clip| clip.w)
+}
+
 /// One draw of a mesh: what depends on the shader, but not on state or format.
 #[derive(Debug)]
 struct Draw<'a, H: Shader> {
@@ -279,7 +288,7 @@ impl<H: Shader> Draw<'_, H> {
                 continue;
             }
             // Only now, with a pixel to draw, are its vertices shaded.
-            let Some(mut corners) = self.corners(&face, &mut cache) else {
+            let Some(mut corners) = self.corners(&face, positions, &mut cache) else {
                 state.parts().1.event(Event::Skipped);
                 face.clipped = false;
                 continue;
@@ -308,16 +317,25 @@ impl<H: Shader> Draw<'_, H> {
     /// The attributes of a triangle's corners; only the provoking one's where nothing is
     /// interpolated. `None` if the mesh lacks them.
     #[inline(always)]
-    fn corners(
+    fn corners<P: Positions>(
         &self,
         face: &Face,
+        positions: &P,
         cache: &mut CacheView<'_, Corner<H::Varying>>,
     ) -> Option<[Corner<H::Varying>; 3]> {
         if self.vertices.by_face {
             let attributes = self.vertices.attributes.get(face.number as usize)?;
-            return Some([self.shader.vertex(self.prepared, attributes); 3]);
+            let position = self.position(face.vertices[0]);
+            let input = VertexInput { attributes, position };
+            let corner = self.shader.vertex(self.prepared, input);
+            return Some(face.vertices.map(|index| {
+                let mut corner = corner;
+                H::Varying::place(&mut corner, || w(positions, index));
+                corner
+            }));
         }
-        let mut corner = |index: u32| cache.corner(index).or_else(|| self.shade(index, cache));
+        let mut corner =
+            |index: u32| cache.corner(index).or_else(|| self.shade(index, positions, cache));
         let [a, b, c] = face.vertices;
         let provoking = corner(a)?;
         if H::Varying::INTERPOLATED {
@@ -327,16 +345,25 @@ impl<H: Shader> Draw<'_, H> {
         }
     }
 
+    /// Where a vertex lies in the mesh, if the mesh says so.
+    #[inline(always)]
+    fn position(&self, index: u32) -> [i16; 3] {
+        self.vertices.positions.get(index as usize).copied().unwrap_or_default()
+    }
+
     /// Makes a vertex's attributes and keeps them. Apart, so that it is there once for a triangle's
     /// corners.
     #[inline(never)]
-    fn shade(
+    fn shade<P: Positions>(
         &self,
         index: u32,
+        positions: &P,
         cache: &mut CacheView<'_, Corner<H::Varying>>,
     ) -> Option<Corner<H::Varying>> {
-        let corner =
-            self.shader.vertex(self.prepared, self.vertices.attributes.get(index as usize)?);
+        let attributes = self.vertices.attributes.get(index as usize)?;
+        let input = VertexInput { attributes, position: self.position(index) };
+        let mut corner = self.shader.vertex(self.prepared, input);
+        H::Varying::place(&mut corner, || w(positions, index));
         cache.keep_corner(index, corner);
         Some(corner)
     }

@@ -13,6 +13,8 @@ pub struct Span {
     pub left: i32,
     /// The first pixel behind those to draw; above `left`.
     pub right: i32,
+    /// The first pixel behind the row's covered ones before any scissor: no less than `right`.
+    pub behind: i32,
 }
 
 /// A way of finding the pixels of a triangle; all ways find the same ones.

@@ -120,7 +120,7 @@ impl Line {
         let (a, b) = (upright(a, mirrored), upright(b, mirrored));
         let (a, b) = if a.y < b.y { (a, b) } else { (b, a) };
         let edge = if at < end { LongEdge::new(a, b, at) } else { LongEdge::default() };
-        LineWalk { edge, at, end, first: from, area, by_columns: *by_columns, mirrored }
+        LineWalk { edge, at, end, first: from, behind: to, area, by_columns: *by_columns, mirrored }
     }
 }
 
@@ -133,6 +133,8 @@ pub(crate) struct LineWalk {
     end: i32,
     /// The first column before any scissor.
     first: i32,
+    /// The first column behind, before any scissor.
+    behind: i32,
     area: Rect,
     by_columns: bool,
     /// Rows are counted upwards.
@@ -171,13 +173,25 @@ impl SpanWalk for LineWalk {
                     self.step();
                 }
                 if top <= y && y < bottom {
-                    batch.push(Span { y, first: self.first, left: start, right: self.at });
+                    batch.push(Span {
+                        y,
+                        first: self.first,
+                        left: start,
+                        right: self.at,
+                        behind: self.behind,
+                    });
                 }
             } else {
                 let (x, y) = (self.edge.column(), self.at);
                 self.step();
                 if left <= x && x < right {
-                    batch.push(Span { y, first: x, left: x, right: x.wrapping_add(1) });
+                    batch.push(Span {
+                        y,
+                        first: x,
+                        left: x,
+                        right: x.wrapping_add(1),
+                        behind: x.wrapping_add(1),
+                    });
                 }
             }
         }

@@ -13,6 +13,8 @@ pub(crate) struct PointWalk {
     end: i32,
     /// The first column before any scissor.
     first: i32,
+    /// The first one behind, before any scissor.
+    behind: i32,
 }
 
 impl PointWalk {
@@ -29,6 +31,7 @@ impl PointWalk {
             y: from(y).max(area.top),
             end: to(y).min(area.bottom),
             first: from(x),
+            behind: to(x),
         }
     }
 }
@@ -37,13 +40,13 @@ impl SpanWalk for PointWalk {
     #[inline(never)]
     fn next_spans(&mut self, batch: &mut SpanBatch) {
         batch.clear();
-        let Self { left, right, first, .. } = *self;
+        let Self { left, right, first, behind, .. } = *self;
         while left < right && self.y < self.end {
             if !batch.has_room() {
                 batch.more();
                 return;
             }
-            batch.push(Span { y: self.y, first, left, right });
+            batch.push(Span { y: self.y, first, left, right, behind });
             self.y = self.y.wrapping_add(1);
         }
     }

@@ -45,7 +45,7 @@ fn take_rows<E: Edge>(
         let (first, behind) = (left.column(), right.column());
         if first < behind {
             if let Some(place) = places.next() {
-                *place = Span { y, first, left: first, right: behind };
+                *place = Span { y, first, left: first, right: behind, behind };
             }
         }
         left.step();

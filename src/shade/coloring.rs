@@ -1,4 +1,4 @@
-use super::DrawContext;
+use super::{DrawContext, VertexInput};
 use crate::color::Rgb16;
 
 /// Where the colours of [`Flat`](super::Flat) and [`Gouraud`](super::Gouraud) come from.
@@ -15,5 +15,5 @@ pub trait Coloring {
     fn prepare(&self, draw: &DrawContext) -> Self::Prepared;
 
     /// The colour of a vertex.
-    fn color(&self, prepared: &Self::Prepared, vertex: &Self::Vertex) -> Rgb16;
+    fn color(&self, prepared: &Self::Prepared, vertex: VertexInput<'_, Self::Vertex>) -> Rgb16;
 }

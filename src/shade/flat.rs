@@ -1,5 +1,6 @@
 use super::{
     Coloring, Corner, DrawContext, FlatColor, Lambert, Row, Shader, Solid, State, VertexColors,
+    VertexInput,
 };
 use crate::color::{Color, Format, Rgb};
 use crate::scene::Light;
@@ -50,7 +51,11 @@ impl<C: Coloring> Shader for Flat<C> {
     }
 
     #[inline(always)]
-    fn vertex(&self, prepared: &C::Prepared, vertex: &C::Vertex) -> Corner<FlatColor> {
+    fn vertex(
+        &self,
+        prepared: &C::Prepared,
+        vertex: VertexInput<'_, C::Vertex>,
+    ) -> Corner<FlatColor> {
         self.0.color(prepared, vertex).into()
     }
 

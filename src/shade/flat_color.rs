@@ -1,7 +1,7 @@
 use super::varying::mix_word;
 use super::Varying;
 use crate::color::{rounded, Color, Rgb16};
-use crate::raster::Gradients;
+use crate::raster::{Gradients, Span};
 
 /// One colour for the whole triangle: the provoking corner's (the first one).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +22,7 @@ impl Varying for FlatColor {
 
     const INTERPOLATED: bool = false;
     const PIECE: i32 = 0;
+    const IN_RUNS: bool = false;
 
     #[inline(always)]
     fn planes(_: &Gradients, _: &[Color; 3], provoking: &Color, _: bool) -> Color {
@@ -29,8 +30,8 @@ impl Varying for FlatColor {
     }
 
     #[inline(always)]
-    fn start(color: &Color, _x: i32, _y: i32) -> (Self, ()) {
-        (Self(*color), ())
+    fn run(color: &mut Color, _: &Span, _x: i32) -> (Self, (), i32) {
+        (Self(*color), (), i32::MAX)
     }
 
     #[inline(always)]
@@ -55,5 +56,5 @@ pub(super) fn mix_color([a, b, c]: [&Color; 3], u: i32, v: i32) -> Color {
         mixed.clamp(rounded(0).into(), rounded(Rgb16::FULL).into()) as u32
     };
     let (red, blue) = (channel(|c| c.blue_red & 0xFFFF), channel(|c| c.blue_red >> 16));
-    Color { blue_red: blue << 16 | red, green: channel(|c| c.green >> 16) << 16 }
+    Color { blue_red: blue << 16 | red, green: channel(|c| c.green >> 16) << 16 | Color::OPAQUE }
 }

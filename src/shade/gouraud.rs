@@ -1,4 +1,6 @@
-use super::{Coloring, Corner, DrawContext, Lambert, Shader, SmoothColor, VertexColors};
+use super::{
+    Coloring, Corner, DrawContext, Lambert, Shader, SmoothColor, VertexColors, VertexInput,
+};
 use crate::color::Color;
 use crate::scene::Light;
 
@@ -41,7 +43,11 @@ impl<C: Coloring> Shader for Gouraud<C> {
     }
 
     #[inline(always)]
-    fn vertex(&self, prepared: &C::Prepared, vertex: &C::Vertex) -> Corner<SmoothColor> {
+    fn vertex(
+        &self,
+        prepared: &C::Prepared,
+        vertex: VertexInput<'_, C::Vertex>,
+    ) -> Corner<SmoothColor> {
         self.0.color(prepared, vertex).into()
     }
 

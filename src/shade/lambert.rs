@@ -1,4 +1,4 @@
-use super::{Coloring, DrawContext};
+use super::{Coloring, DrawContext, VertexInput};
 use crate::color::{Rgb, Rgb16};
 use crate::math::Vec3;
 use crate::scene::{Light, Normal};
@@ -76,7 +76,8 @@ impl<const N: usize> Coloring for Lambert<N> {
         clippy::cast_possible_truncation,
         reason = "a float cast saturates; channels are clamped"
     )]
-    fn color(&self, prepared: &PreparedLambert<N>, [x, y, z]: &Normal) -> Rgb16 {
+    fn color(&self, prepared: &PreparedLambert<N>, vertex: VertexInput<'_, Normal>) -> Rgb16 {
+        let [x, y, z] = vertex.attributes;
         let (x, y, z) = (i32::from(*x), i32::from(*y), i32::from(*z));
         let mut sum = [prepared.ambient.r, prepared.ambient.g, prepared.ambient.b].map(u32::from);
         for ([lx, ly, lz], color) in &prepared.lights {

@@ -25,7 +25,7 @@ pub use gouraud::Gouraud;
 pub use lambert::{Lambert, PreparedLambert};
 pub use row::Row;
 pub use scalar::Scalar;
-pub use shader::{DrawContext, Shader};
+pub use shader::{DrawContext, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
 pub use state::{

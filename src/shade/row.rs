@@ -9,6 +9,9 @@ pub(crate) type Cells<'a, S> = <Access<S> as DepthAccess>::Cells<'a>;
 
 /// A run of pixels in one row: where depth, state, format and the varying's step meet.
 pub struct Row<'a, S: State, F: Format, V: Varying> {
+    /// The first pixel's column and row, in picture coordinates.
+    pub(crate) x: i32,
+    pub(crate) y: i32,
     pub(crate) pixels: &'a mut [F::Raw],
     pub(crate) cells: Cells<'a, S>,
     /// Depth at the first pixel, 16.16, and its step.
@@ -27,6 +30,30 @@ impl<S: State, F: Format, V: Varying> core::fmt::Debug for Row<'_, S, F, V> {
 }
 
 impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
+    /// The first pixel's column, in picture coordinates.
+    #[inline(always)]
+    pub fn x(&self) -> i32 {
+        self.x
+    }
+
+    /// The pixels' row, in picture coordinates.
+    #[inline(always)]
+    pub fn y(&self) -> i32 {
+        self.y
+    }
+
+    /// The varying at the first pixel.
+    #[inline(always)]
+    pub fn varying(&self) -> &V {
+        &self.varying
+    }
+
+    /// What is added to the varying from one pixel to the next.
+    #[inline(always)]
+    pub fn step(&self) -> &V::Step {
+        &self.step
+    }
+
     /// Calls `fragment` for each pixel that passes the depth test and stores what it gives;
     /// `None` discards: neither colour nor depth is written.
     ///
@@ -46,7 +73,7 @@ impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
     /// 5 instructions a pixel less than [`each`](Self::each).
     #[inline(always)]
     pub fn each_packed(self, mut fragment: impl FnMut(&V) -> Option<F::Raw>) {
-        let Self { pixels, cells, mut z, z_step, mut varying, step, depth, counter } = self;
+        let Self { pixels, cells, mut z, z_step, mut varying, step, depth, counter, .. } = self;
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
             if depth.passes(code, <Access<S>>::read(&cell)) {

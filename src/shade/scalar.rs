@@ -1,6 +1,6 @@
 use super::varying::mix_word;
 use super::Varying;
-use crate::raster::{Gradients, Plane};
+use crate::raster::{Gradients, Plane, Span};
 
 /// A 16-bit number over the triangle, 16.16 while it is interpolated: heights, weights, distances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,6 +21,7 @@ impl Varying for Scalar {
 
     const INTERPOLATED: bool = true;
     const PIECE: i32 = 0;
+    const IN_RUNS: bool = false;
 
     #[inline(always)]
     fn planes(gradients: &Gradients, [a, b, c]: &[u16; 3], _: &u16, _: bool) -> Plane {
@@ -30,8 +31,8 @@ impl Varying for Scalar {
     }
 
     #[inline(always)]
-    fn start(plane: &Plane, x: i32, y: i32) -> (Self, u32) {
-        (Self(plane.at(x, y)), plane.dx)
+    fn run(plane: &mut Plane, span: &Span, x: i32) -> (Self, u32, i32) {
+        (Self(plane.at(x, span.y)), plane.dx, i32::MAX)
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 use super::{Corner, Row, State, Varying};
 use crate::color::{Color, Format};
 use crate::frame::Size;
-use crate::math::Mat4;
+use crate::math::{Mat4, Vec3};
 use crate::pipeline::Clip;
 
 /// What a shader may know once a draw.
@@ -13,9 +13,32 @@ pub struct DrawContext {
     pub view: Mat4,
     /// From eye space to clip space.
     pub projection: Mat4,
+    /// What one step of a mesh position is in model space, by axis.
+    pub scale: Vec3,
+    /// Where mesh position 0 lies in model space.
+    pub offset: Vec3,
     /// The viewport in pixels.
     pub viewport: Size,
 }
+
+/// A vertex as the mesh holds it.
+#[derive(Debug)]
+pub struct VertexInput<'a, A> {
+    /// What the mesh holds beside the position.
+    pub attributes: &'a A,
+    /// The mesh's own position, in steps from the place of 0 ([`DrawContext`] says of both where
+    /// they are in model space); zero where the shader brings positions of its own. Of a face with
+    /// attributes of its own, the first corner's.
+    pub position: [i16; 3],
+}
+
+impl<A> Clone for VertexInput<'_, A> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<A> Copy for VertexInput<'_, A> {}
 
 impl DrawContext {
     /// From model space to clip space.
@@ -54,7 +77,11 @@ pub trait Shader {
     }
 
     /// The varyings of a vertex.
-    fn vertex(&self, prepared: &Self::Prepared, vertex: &Self::Vertex) -> Corner<Self::Varying>;
+    fn vertex(
+        &self,
+        prepared: &Self::Prepared,
+        vertex: VertexInput<'_, Self::Vertex>,
+    ) -> Corner<Self::Varying>;
 
     /// The colour of a pixel; `None` discards it: neither colour nor depth is written.
     fn fragment(&self, varying: &Self::Varying) -> Option<Color>;

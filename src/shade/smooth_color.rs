@@ -1,7 +1,7 @@
 use super::flat_color::mix_color;
 use super::Varying;
 use crate::color::Color;
-use crate::raster::{Gradients, Plane, Slopes};
+use crate::raster::{Gradients, Plane, Slopes, Span};
 
 /// A colour interpolated over the triangle, linear on the screen (Gouraud).
 ///
@@ -28,10 +28,10 @@ impl SmoothColor {
     /// Pixels over which blue and red are good in one word.
     const PIXELS: i32 = 128;
 
-    /// The colour at this pixel.
+    /// The colour at this pixel, opaque.
     #[inline(always)]
     pub const fn color(self) -> Color {
-        self.0
+        Color { green: self.0.green | Color::OPAQUE, ..self.0 }
     }
 }
 
@@ -60,6 +60,7 @@ impl Varying for SmoothColor {
 
     const INTERPOLATED: bool = true;
     const PIECE: i32 = Self::PIXELS;
+    const IN_RUNS: bool = false;
 
     #[inline(always)]
     fn planes(
@@ -72,9 +73,10 @@ impl Varying for SmoothColor {
     }
 
     #[inline(always)]
-    fn start(planes: &SmoothColorPlanes, x: i32, y: i32) -> (Self, (u32, u32)) {
+    fn run(planes: &mut SmoothColorPlanes, span: &Span, x: i32) -> (Self, (u32, u32), i32) {
+        let y = span.y;
         let color = Color { blue_red: planes.blue_red.at(x, y), green: planes.green.at(x, y) };
-        (Self(color), (planes.blue_red.dx, planes.green.dx))
+        (Self(color), (planes.blue_red.dx, planes.green.dx), i32::MAX)
     }
 
     #[inline(always)]
@@ -129,7 +131,7 @@ fn smooth_planes(
             packed_slope(blue.dy, red.dy),
         ),
         green: gradients.plane_at(
-            value(a.green, &green),
+            value(a.green & !Color::OPAQUE, &green),
             green.dx.cast_unsigned(),
             green.dy.cast_unsigned(),
         ),

@@ -1,6 +1,6 @@
 use core::marker::PhantomData;
 
-use super::{Coloring, DrawContext};
+use super::{Coloring, DrawContext, VertexInput};
 use crate::color::{Rgb, Rgb16};
 
 /// One colour for the whole mesh, whatever else the mesh holds.
@@ -33,7 +33,7 @@ impl<A> Coloring for Solid<A> {
     fn prepare(&self, _draw: &DrawContext) {}
 
     #[inline(always)]
-    fn color(&self, (): &(), _vertex: &A) -> Rgb16 {
+    fn color(&self, (): &(), _vertex: VertexInput<'_, A>) -> Rgb16 {
         self.color.into()
     }
 }

@@ -1,4 +1,4 @@
-use crate::raster::Gradients;
+use crate::raster::{Gradients, Span};
 
 /// What a shader's `vertex` gives for one corner of a triangle.
 pub type Corner<V> = <V as Varying>::Corner;
@@ -6,7 +6,8 @@ pub type Corner<V> = <V as Varying>::Corner;
 /// A value that varies over a triangle: made at its corners, interpolated to its pixels.
 ///
 /// Building blocks are `()` (nothing), [`FlatColor`](super::FlatColor),
-/// [`SmoothColor`](super::SmoothColor), [`Scalar`](super::Scalar), and pairs of them.
+/// [`SmoothColor`](super::SmoothColor), [`Scalar`](super::Scalar), and up to
+/// eight of them side by side, as a tuple.
 pub trait Varying: Copy {
     /// The value at a corner.
     type Corner: Copy + Default;
@@ -24,6 +25,9 @@ pub trait Varying: Copy {
     /// [settled](Self::settle) on each.
     const PIECE: i32;
 
+    /// Whether a row may need more than one [`run`](Self::run).
+    const IN_RUNS: bool;
+
     /// The planes of a triangle; `corners` in its own order, the provoking one apart. `in_pieces`
     /// says whether they will be [settled](Self::settle).
     fn planes(
@@ -33,14 +37,21 @@ pub trait Varying: Copy {
         in_pieces: bool,
     ) -> Self::Planes;
 
-    /// The value at pixel (x, y), and the step to its right neighbour.
-    fn start(planes: &Self::Planes, x: i32, y: i32) -> (Self, Self::Step);
+    /// The value at pixel `x` of a span, the step to its right neighbour, and the first pixel for
+    /// which that step is no longer good: beyond the span unless varyings come
+    /// [in runs](Self::IN_RUNS).
+    fn run(planes: &mut Self::Planes, span: &Span, x: i32) -> (Self, Self::Step, i32);
 
     /// Goes one pixel to the right.
     fn step(&mut self, step: &Self::Step);
 
     /// Makes planes good for the [`PIECE`](Self::PIECE) pixels of row `y` from `x` on.
     fn settle(planes: &mut Self::Planes, x: i32, y: i32);
+
+    /// Tells a corner the w of its position in clip space, above zero: what is interpolated in
+    /// perspective keeps it.
+    #[inline(always)]
+    fn place(_corner: &mut Self::Corner, _w: impl Fn() -> i32) {}
 
     /// The corner `a + (b - a) u + (c - a) v`, both weights in units of 2^-30: where clipping makes
     /// a new one. (0, 0), (2^30, 0) and (0, 2^30) give the three corners exactly.
@@ -63,13 +74,14 @@ impl Varying for () {
 
     const INTERPOLATED: bool = false;
     const PIECE: i32 = 0;
+    const IN_RUNS: bool = false;
 
     #[inline(always)]
     fn planes(_: &Gradients, _: &[(); 3], (): &(), _in_pieces: bool) {}
 
     #[inline(always)]
-    fn start((): &(), _x: i32, _y: i32) -> ((), ()) {
-        ((), ())
+    fn run((): &mut (), _: &Span, _x: i32) -> ((), (), i32) {
+        ((), (), i32::MAX)
     }
 
     #[inline(always)]
@@ -91,48 +103,72 @@ const fn shorter(a: i32, b: i32) -> i32 {
     }
 }
 
-impl<A: Varying, B: Varying> Varying for (A, B) {
-    type Corner = (A::Corner, B::Corner);
-    type Planes = (A::Planes, B::Planes);
-    type Step = (A::Step, B::Step);
+/// Varyings side by side.
+macro_rules! groups {
+    ($($group:ident $value:ident $number:tt),+) => {
+        impl<$($group: Varying),+> Varying for ($($group,)+) {
+            type Corner = ($($group::Corner,)+);
+            type Planes = ($($group::Planes,)+);
+            type Step = ($($group::Step,)+);
 
-    const INTERPOLATED: bool = A::INTERPOLATED || B::INTERPOLATED;
-    const PIECE: i32 = shorter(A::PIECE, B::PIECE);
+            const INTERPOLATED: bool = false $(|| $group::INTERPOLATED)+;
+            const PIECE: i32 = {
+                let piece = 0;
+                $(let piece = shorter(piece, $group::PIECE);)+
+                piece
+            };
+            const IN_RUNS: bool = false $(|| $group::IN_RUNS)+;
 
-    #[inline(always)]
-    fn planes(
-        gradients: &Gradients,
-        corners: &[Self::Corner; 3],
-        provoking: &Self::Corner,
-        in_pieces: bool,
-    ) -> Self::Planes {
-        (
-            A::planes(gradients, &corners.map(|corner| corner.0), &provoking.0, in_pieces),
-            B::planes(gradients, &corners.map(|corner| corner.1), &provoking.1, in_pieces),
-        )
-    }
+            #[inline(always)]
+            fn planes(
+                gradients: &Gradients,
+                corners: &[Self::Corner; 3],
+                provoking: &Self::Corner,
+                in_pieces: bool,
+            ) -> Self::Planes {
+                ($($group::planes(
+                    gradients,
+                    &corners.map(|corner| corner.$number),
+                    &provoking.$number,
+                    in_pieces,
+                ),)+)
+            }
 
-    #[inline(always)]
-    fn start(planes: &Self::Planes, x: i32, y: i32) -> (Self, Self::Step) {
-        let (a, a_step) = A::start(&planes.0, x, y);
-        let (b, b_step) = B::start(&planes.1, x, y);
-        ((a, b), (a_step, b_step))
-    }
+            #[inline(always)]
+            fn run(planes: &mut Self::Planes, span: &Span, x: i32) -> (Self, Self::Step, i32) {
+                $(let $value = $group::run(&mut planes.$number, span, x);)+
+                let end = i32::MAX;
+                $(let end = end.min($value.2);)+
+                (($($value.0,)+), ($($value.1,)+), end)
+            }
 
-    #[inline(always)]
-    fn step(&mut self, step: &Self::Step) {
-        self.0.step(&step.0);
-        self.1.step(&step.1);
-    }
+            #[inline(always)]
+            fn step(&mut self, step: &Self::Step) {
+                $(self.$number.step(&step.$number);)+
+            }
 
-    #[inline(always)]
-    fn settle(planes: &mut Self::Planes, x: i32, y: i32) {
-        A::settle(&mut planes.0, x, y);
-        B::settle(&mut planes.1, x, y);
-    }
+            #[inline(always)]
+            fn settle(planes: &mut Self::Planes, x: i32, y: i32) {
+                $($group::settle(&mut planes.$number, x, y);)+
+            }
 
-    #[inline(always)]
-    fn mix([a, b, c]: [&Self::Corner; 3], u: i32, v: i32) -> Self::Corner {
-        (A::mix([&a.0, &b.0, &c.0], u, v), B::mix([&a.1, &b.1, &c.1], u, v))
-    }
+            #[inline(always)]
+            fn place(corner: &mut Self::Corner, w: impl Fn() -> i32) {
+                $($group::place(&mut corner.$number, &w);)+
+            }
+
+            #[inline(always)]
+            fn mix([a, b, c]: [&Self::Corner; 3], u: i32, v: i32) -> Self::Corner {
+                ($($group::mix([&a.$number, &b.$number, &c.$number], u, v),)+)
+            }
+        }
+    };
 }
+
+groups!(A a 0, B b 1);
+groups!(A a 0, B b 1, C c 2);
+groups!(A a 0, B b 1, C c 2, D d 3);
+groups!(A a 0, B b 1, C c 2, D d 3, E e 4);
+groups!(A a 0, B b 1, C c 2, D d 3, E e 4, F f 5);
+groups!(A a 0, B b 1, C c 2, D d 3, E e 4, F f 5, G g 6);
+groups!(A a 0, B b 1, C c 2, D d 3, E e 4, F f 5, G g 6, H h 7);

@@ -1,4 +1,4 @@
-use super::{Coloring, DrawContext};
+use super::{Coloring, DrawContext, VertexInput};
 use crate::color::{Rgb, Rgb16};
 
 /// The colours that the mesh holds, unlit.
@@ -13,7 +13,7 @@ impl Coloring for VertexColors {
     fn prepare(&self, _draw: &DrawContext) {}
 
     #[inline(always)]
-    fn color(&self, (): &(), vertex: &Rgb) -> Rgb16 {
-        (*vertex).into()
+    fn color(&self, (): &(), vertex: VertexInput<'_, Rgb>) -> Rgb16 {
+        (*vertex.attributes).into()
     }
 }

@@ -11,7 +11,7 @@ use microraster::math::{Mat4, Vec4};
 use microraster::raster::{ScreenVertex, SUBPIXELS};
 use microraster::{
     AnyDepth, Camera, Clip, Color, Cull, DepthBuffer, DrawContext, Flat, Frame, Gouraud, Mesh,
-    Pass, Rgb16, Rgba8888, ScreenPass, Shader, Size, SmoothColor, Stats, Winding,
+    Pass, Rgb16, Rgba8888, ScreenPass, Shader, Size, SmoothColor, Stats, VertexInput, Winding,
 };
 
 use crate::expected::{Coverage, Expected};
@@ -32,8 +32,8 @@ impl Shader for ClipShader {
         Some(*clip)
     }
 
-    fn vertex(&self, (): &(), (_, color): &(Clip, Color)) -> Color {
-        *color
+    fn vertex(&self, (): &(), vertex: VertexInput<'_, (Clip, Color)>) -> Color {
+        vertex.attributes.1
     }
 
     fn fragment(&self, varying: &SmoothColor) -> Option<Color> {

@@ -8,7 +8,7 @@
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use microraster::raster::{ScreenVertex, GUARD};
-use microraster::{Clip, Color, DrawContext, FlatColor, Rgb, Shader, Size};
+use microraster::{Clip, Color, DrawContext, FlatColor, Rgb, Shader, Size, VertexInput};
 
 /// A small generator (SplitMix64): the same numbers on every machine.
 pub(crate) struct Random(pub(crate) u64);
@@ -94,7 +94,7 @@ impl Shader for InClipSpace {
         Clip::new(*x, *y, *z, *w)
     }
 
-    fn vertex(&self, (): &(), _: &[i32; 4]) -> Color {
+    fn vertex(&self, (): &(), _: VertexInput<'_, [i32; 4]>) -> Color {
         Rgb::WHITE.into()
     }
 

@@ -35,7 +35,7 @@ impl Rows {
         for (y, first, behind) in rows {
             let (left, right) = (first.max(area.left), behind.min(area.right));
             if left < right {
-                self.spans.push(Span { y, first, left, right });
+                self.spans.push(Span { y, first, left, right, behind });
             }
         }
         self.spans.sort_by_key(|span| span.y);

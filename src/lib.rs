@@ -45,7 +45,11 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{Clip, Cull, Pass, ScreenPass, ShadedVertex, VertexCache, Winding};
-pub use scene::{normal, AnyTopology, Camera, IndexedList, Light, List, Mesh, Normal, Topology};
+pub use scene::{
+    normal, AnyTopology, Camera, Consecutive, IndexedList, Indices, LastProvoking, Light, LineList,
+    LineLoop, LineStrip, List, Mesh, Normal, Points, RestartIndices, Topology, TriangleFan,
+    TriangleStrip,
+};
 pub use shade::{
     Always, AnyDepth, Coloring, Corner, Counter, Counting, DepthTest, DrawContext, Equal, Flat,
     FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, NotEqual, Off, Row,

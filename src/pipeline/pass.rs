@@ -135,7 +135,7 @@ impl<S: State> Pass<'_, S> {
         H: Shader,
         F: Format,
         D: Supplies<Access<S>>,
-        T: Topology,
+        T: Topology<Primitive = [u32; 3]>,
     {
         let mut cache = VertexCache::<Corner<H::Varying>, 32>::new();
         self.draw_cached(frame, model, mesh, shader, &mut cache);
@@ -153,7 +153,7 @@ impl<S: State> Pass<'_, S> {
         H: Shader,
         F: Format,
         D: Supplies<Access<S>>,
-        T: Topology,
+        T: Topology<Primitive = [u32; 3]>,
     {
         let viewport = self.viewport.unwrap_or(Rect::from_size(frame.picture()));
         let vertices = mesh.vertices();
@@ -173,7 +173,7 @@ impl<S: State> Pass<'_, S> {
         };
         let assembly = Assembly {
             topology: mesh.topology,
-            cursor: 0,
+            cursor: T::Cursor::default(),
             mapping,
             area: frame.scissor().intersection(viewport),
             culled: CulledWindings::new(self.cull, self.front),
@@ -271,7 +271,7 @@ impl<H: Shader> Draw<'_, H> {
         mut cache: CacheView<'_, Corner<H::Varying>>,
     ) where
         P: Positions,
-        T: Topology,
+        T: Topology<Primitive = [u32; 3]>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

@@ -136,8 +136,7 @@ impl Canvas {
         // Without a far plane, clip z is the same everywhere.
         let has_far = columns(&projection).iter().take(3).any(|column| column[2] != 0.0);
         let stage = Stage { draw, viewport, has_far };
-        for number in 0..arrays.topology.triangles() as usize {
-            let Some(corners) = arrays.topology.triangle(number as u32) else { continue };
+        for (number, corners) in arrays.topology.iter().enumerate() {
             let corners = corners.map(|index| index as usize);
             let paint = paint(draw, &model, number, corners);
             self.triangle(&stage, corners.map(|i| clip[i]), &paint);

@@ -1,6 +1,6 @@
 use super::{
-    FanCursor, IndexedList, Indices, List, RestartIndices, StripCursor, Topology, TriangleFan,
-    TriangleStrip, Vertices,
+    Consecutive, FanCursor, IndexedList, Indices, List, RestartIndices, StripCursor, Topology,
+    TriangleFan, TriangleStrip,
 };
 
 macro_rules! any_topology {
@@ -49,8 +49,8 @@ any_topology! {
     Indexed16(IndexedList<'a, u16>): list;
     /// As [`IndexedList`] of 32 bits.
     Indexed32(IndexedList<'a, u32>): list;
-    /// As [`TriangleStrip`] of [`Vertices`].
-    Strip(TriangleStrip<Vertices>): strip;
+    /// As [`TriangleStrip`] of [`Consecutive`].
+    Strip(TriangleStrip<Consecutive>): strip;
     /// As [`TriangleStrip`] of [`Indices`] of 8 bits.
     Strip8(TriangleStrip<Indices<'a, u8>>): strip;
     /// As [`TriangleStrip`] of [`Indices`] of 16 bits.
@@ -59,8 +59,8 @@ any_topology! {
     RestartStrip8(TriangleStrip<RestartIndices<'a, u8>>): strip;
     /// As [`TriangleStrip`] of [`RestartIndices`] of 16 bits.
     RestartStrip16(TriangleStrip<RestartIndices<'a, u16>>): strip;
-    /// As [`TriangleFan`] of [`Vertices`].
-    Fan(TriangleFan<Vertices>): fan;
+    /// As [`TriangleFan`] of [`Consecutive`].
+    Fan(TriangleFan<Consecutive>): fan;
     /// As [`TriangleFan`] of [`Indices`] of 8 bits.
     Fan8(TriangleFan<Indices<'a, u8>>): fan;
     /// As [`TriangleFan`] of [`Indices`] of 16 bits.

@@ -22,7 +22,7 @@ pub use line_loop::{LineLoop, LoopCursor};
 pub use line_strip::{LineStrip, LineStripCursor};
 pub use list::List;
 pub use points::Points;
-pub use sequence::{Index, Indices, NumberCursor, RestartIndices, Sequence, Step, Vertices};
+pub use sequence::{Consecutive, Index, Indices, NumberCursor, RestartIndices, Sequence, Step};
 pub use triangle_fan::{FanCursor, TriangleFan};
 pub use triangle_strip::{StripCursor, TriangleStrip};
 
@@ -80,7 +80,9 @@ pub trait Topology: Copy {
     #[inline]
     fn iter(&self) -> impl Iterator<Item = Self::Primitive> {
         let (topology, mut cursor) = (*self, Self::Cursor::default());
-        core::iter::from_fn(move || topology.next::<false>(&mut cursor).map(|(_, primitive)| primitive))
+        core::iter::from_fn(move || {
+            topology.next::<false>(&mut cursor).map(|(_, primitive)| primitive)
+        })
     }
 }
 

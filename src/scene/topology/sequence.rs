@@ -1,6 +1,6 @@
 use super::saturated;
 
-/// Vertices in the order in which strips, fans, lines and points take them: [`Vertices`] as the
+/// Consecutive in the order in which strips, fans, lines and points take them: [`Consecutive`] as the
 /// mesh has them, [`Indices`], or [`RestartIndices`].
 pub trait Sequence: Copy {
     /// What comes at a place; `None` behind the last.
@@ -24,18 +24,18 @@ pub enum Step {
 
 /// The vertices of the mesh, one after the other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Vertices {
+pub struct Consecutive {
     vertices: u32,
 }
 
-impl Vertices {
+impl Consecutive {
     /// So many vertices, from the first on.
     pub const fn new(vertices: usize) -> Self {
         Self { vertices: saturated(vertices) }
     }
 }
 
-impl Sequence for Vertices {
+impl Sequence for Consecutive {
     const RESTARTS: bool = false;
 
     #[inline(always)]
@@ -67,7 +67,7 @@ impl Index for u32 {
     const RESTART: Self = Self::MAX;
 }
 
-/// Vertices by indices of 8, 16 or 32 bits, all of which are vertices.
+/// Consecutive by indices of 8, 16 or 32 bits, all of which are vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Indices<'a, I> {
     indices: &'a [I],
@@ -94,7 +94,7 @@ impl<I: Index> Sequence for Indices<'_, I> {
     }
 }
 
-/// Vertices by indices, where one of all ones (255, 65535 or 2^32 - 1) is no vertex but begins anew.
+/// Consecutive by indices, where one of all ones (255, 65535 or 2^32 - 1) is no vertex but begins anew.
 ///
 /// Source: primitive restart with a fixed index, OpenGL 4.6, section 10.3.6.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,8 +14,9 @@ pub struct TriangleStrip<S> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StripCursor {
     place: NumberCursor,
-    /// Vertices since the beginning or the last restart.
+    /// Vertices since the beginning or the last restart, at most 2.
     held: u32,
+    is_turned: bool,
     before: [u32; 2],
 }
 
@@ -37,17 +38,14 @@ impl<S: Sequence> Topology for TriangleStrip<S> {
                 cursor.held = 0;
                 continue;
             };
-            let ([a, b], held) = (cursor.before, cursor.held);
+            let [a, b] = cursor.before;
             cursor.before = [b, c];
-            cursor.held = held.wrapping_add(1);
-            if held < 2 {
+            if cursor.held < 2 {
+                (cursor.held, cursor.is_turned) = (cursor.held.wrapping_add(1), false);
                 continue;
             }
-            if held == u32::MAX {
-                // On, with the same turn.
-                cursor.held = u32::MAX - 1;
-            }
-            let is_turned = held & 1 != 0;
+            let is_turned = cursor.is_turned;
+            cursor.is_turned = !is_turned;
             let triangle = match (LAST, is_turned) {
                 (false, false) => [a, b, c],
                 (false, true) => [a, c, b],

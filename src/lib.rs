@@ -44,7 +44,10 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 #[cfg(feature = "embedded-graphics")]
 pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
-pub use pipeline::{Clip, Cull, Pass, ScreenPass, ShadedVertex, VertexCache, Winding};
+pub use pipeline::{
+    Clip, Cull, LineStyle, Midpoint, Pass, ScreenPass, ShadedVertex, Stippled, Thin, VertexCache,
+    Wide, Winding,
+};
 pub use scene::{
     normal, AnyTopology, Camera, Consecutive, IndexedList, Indices, LastProvoking, Light, LineList,
     LineLoop, LineStrip, List, Mesh, Normal, Points, RestartIndices, Topology, TriangleFan,

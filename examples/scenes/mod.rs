@@ -7,6 +7,7 @@ pub(crate) mod golden;
 pub(crate) mod grid;
 pub(crate) mod hash;
 pub(crate) mod model;
+pub(crate) mod primitives;
 pub(crate) mod standard;
 pub(crate) mod toon;
 
@@ -77,5 +78,9 @@ pub(crate) struct Scene<P> {
 
 /// All scenes.
 pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
-    standard::scenes().into_iter().chain(toon::scenes()).chain(golden::scenes())
+    standard::scenes()
+        .into_iter()
+        .chain(primitives::scenes())
+        .chain(toon::scenes())
+        .chain(golden::scenes())
 }

@@ -104,7 +104,11 @@ impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
             self.each(|_| Some(color));
         } else {
             self.counter.pixels(u32::try_from(self.pixels.len()).unwrap_or(u32::MAX));
-            F::fill(self.pixels, F::pack(color));
+            match self.pixels {
+                // Where it is known that there is but one, nothing is called.
+                [pixel] => *pixel = F::pack(color),
+                pixels => F::fill(pixels, F::pack(color)),
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-use crate::raster::{Gradients, Span};
+use crate::raster::{Gradients, PointSquare, Span};
 
 /// What a shader's `vertex` gives for one corner of a triangle.
 pub type Corner<V> = <V as Varying>::Corner;
@@ -41,6 +41,20 @@ pub trait Varying: Copy {
     /// which that step is no longer good: beyond the span unless varyings come
     /// [in runs](Self::IN_RUNS).
     fn run(planes: &mut Self::Planes, span: &Span, x: i32) -> (Self, Self::Step, i32);
+
+    /// The value at a pixel of a point whose corner has this value, and the step to the pixel's
+    /// right neighbour: the same everywhere, unless it is about the point's square.
+    #[inline(always)]
+    fn on_point(
+        corner: &Self::Corner,
+        _square: &PointSquare,
+        _x: i32,
+        _y: i32,
+    ) -> (Self, Self::Step) {
+        let mut planes = Self::planes(&Gradients::NONE, &[*corner; 3], corner, false);
+        let (value, step, _) = Self::run(&mut planes, &Span::default(), 0);
+        (value, step)
+    }
 
     /// Goes one pixel to the right.
     fn step(&mut self, step: &Self::Step);
@@ -140,6 +154,17 @@ macro_rules! groups {
                 let end = i32::MAX;
                 $(let end = end.min($value.2);)+
                 (($($value.0,)+), ($($value.1,)+), end)
+            }
+
+            #[inline(always)]
+            fn on_point(
+                corner: &Self::Corner,
+                square: &PointSquare,
+                x: i32,
+                y: i32,
+            ) -> (Self, Self::Step) {
+                $(let $value = $group::on_point(&corner.$number, square, x, y);)+
+                (($($value.0,)+), ($($value.1,)+))
             }
 
             #[inline(always)]

@@ -7,7 +7,7 @@ use microraster::math::Vec3;
 use microraster::raster::ScreenVertex;
 use microraster::{
     Color, DepthBuffer, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light, Pass, Rgb,
-    Rgb565, Rgb565Be, Rgba8888, ScreenPass, Shader, Size, Stats,
+    Rgb565, Rgb565Be, Rgba8888, ScreenPass, Shader, Size, Stats, Thin,
 };
 
 use super::super::toon::shader::Toon;
@@ -146,7 +146,7 @@ fn screen<F: Format>(frame: &mut Frame<'_, F, DepthBuffer<'_>>, draw: &ScreenDra
                 i += 1;
             }
             (Kind::Lines, Some(b), _) => {
-                pass.lines(frame, &shader, &[[a, b]]);
+                pass.lines(frame, &shader, Thin, &[[a, b]]);
                 i += 2;
             }
             (Kind::Triangles, Some(b), Some(c)) => {

@@ -20,7 +20,7 @@ type Shaded = (ScreenVertex, Color);
 
 /// Pseudo-random corners all over the picture, for as many lines or points.
 const fn corners<const N: usize>() -> [Shaded; N] {
-    let mut corners = [(ScreenVertex::from_bits(0, 0, 0), Color::from_rgb(Rgb::BLACK)); N];
+    let mut corners = [(ScreenVertex::from_bits(0, 0, 0), Color::new(0, 0, 0)); N];
     let (mut i, mut seed) = (0, 12_345_u32);
     while i < N {
         let mut numbers = [0_u32; 4];
@@ -32,8 +32,8 @@ const fn corners<const N: usize>() -> [Shaded; N] {
         }
         let [x, y, z, c] = numbers;
         let (x, y) = ((x % (320 * 16)) as i32, (y % (240 * 16)) as i32);
-        let color = Rgb::new(c as u8 | 32, (c >> 8) as u8 | 32, (c >> 16) as u8);
-        corners[i] = (ScreenVertex::from_bits(x, y, z as u16 | 1), Color::from_rgb(color));
+        let color = Color::new(c as u8 | 32, (c >> 8) as u8 | 32, (c >> 16) as u8);
+        corners[i] = (ScreenVertex::from_bits(x, y, z as u16 | 1), color);
         i += 1;
     }
     corners

@@ -45,8 +45,8 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{
-    Clip, Cull, LineStyle, Midpoint, Pass, ScreenPass, ShadedVertex, Stippled, Thin, VertexCache,
-    Wide, Winding,
+    Clip, Cull, LineStyle, Midpoint, Pass, PointSize, ScreenPass, ShadedVertex, SizeOf, Stippled,
+    Thin, VertexCache, Wide, Winding,
 };
 pub use scene::{
     normal, AnyTopology, Camera, Consecutive, IndexedList, Indices, LastProvoking, Light, LineList,

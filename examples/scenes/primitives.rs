@@ -33,7 +33,7 @@ const fn corners<const N: usize>() -> [Shaded; N] {
         let [x, y, z, c] = numbers;
         let (x, y) = ((x % (320 * 16)) as i32, (y % (240 * 16)) as i32);
         let color = Color::new(c as u8 | 32, (c >> 8) as u8 | 32, (c >> 16) as u8);
-        corners[i] = (ScreenVertex::from_bits(x, y, z as u16 | 1), color);
+        corners[i] = (ScreenVertex::from_bits(x, y, (i * 24) as u16 | (z as u16 & 15)), color);
         i += 1;
     }
     corners

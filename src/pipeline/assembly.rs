@@ -75,6 +75,23 @@ fn keep<P: Positions>(entry: &mut Entry, index: u32, positions: &P, mapping: &Ma
     entry.keep(index, vertex);
 }
 
+/// A vertex, from the cache or made for it.
+#[inline(always)]
+pub(super) fn vertex<P: Positions>(
+    cache: &mut [Entry],
+    index: u32,
+    positions: &P,
+    mapping: &Mapping,
+) -> Projected {
+    let Some(entry) = cache.get_mut(slot(index, cache.len())) else {
+        return Projected::INVALID;
+    };
+    if !entry.holds(index) {
+        keep(entry, index, positions, mapping);
+    }
+    entry.vertex
+}
+
 impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
     /// The next triangle that may be seen; whether there is one.
     ///
@@ -98,15 +115,7 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
         while let Some((number, vertices)) = self.topology.next::<false>(&mut self.cursor) {
             counter.event(Event::Triangle);
             let mapping = &self.mapping;
-            let [a, b, c] = vertices.map(|index| {
-                let Some(entry) = cache.get_mut(slot(index, cache.len())) else {
-                    return Projected::INVALID;
-                };
-                if !entry.holds(index) {
-                    keep(entry, index, positions, mapping);
-                }
-                entry.vertex
-            });
+            let [a, b, c] = vertices.map(|index| vertex(cache, index, positions, mapping));
             let any = a.flags | b.flags | c.flags;
             if any != 0 {
                 if any & flag::INVALID != 0 {

@@ -1,6 +1,6 @@
 use super::fill::{Access, Fill, Walk};
 use super::line::{LineDraw, Outcome};
-use super::point::draw_point;
+use super::point::{draw_point, has_one_stride, single_points};
 use super::{Cull, CulledWindings, LineStyle, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
@@ -193,15 +193,20 @@ impl<S: State> ScreenPass<S> {
         D: Supplies<Access<S>>,
     {
         let (area, picture) = (frame.scissor(), frame.picture());
+        let state = &mut self.state;
+        if size == 1 && has_one_stride::<S, F, D>(frame) {
+            single_points(frame, state, shader, picture, &area, points);
+            return;
+        }
         let size = u32::from(size).wrapping_mul(16);
         for (vertex, corner) in points {
-            self.event(Event::Point);
-            if !vertex.in_range(picture) {
-                self.event(Event::Skipped);
-                continue;
-            }
-            let event = draw_point(vertex, corner, size, &area, frame, &mut self.state, shader);
-            self.event(event);
+            state.parts().1.event(Event::Point);
+            let event = if vertex.in_range(picture) {
+                draw_point(vertex, corner, size, &area, frame, state, shader)
+            } else {
+                Event::Skipped
+            };
+            state.parts().1.event(event);
         }
     }
 

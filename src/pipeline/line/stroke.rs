@@ -215,6 +215,15 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         let mut planes = V::planes(&gradients, &[p, q, p], provoking, in_pieces);
         // Planes are level across the line: any row will do.
         let level = if by_columns { ends[0].y_bits() } else { ends[0].x_bits() } >> 4;
+        // Where rows of colour and of depth differ in length, pixel by pixel.
+        let (stride, cell_stride) = frame.strides::<Access<S>>();
+        let longest = |path: &R, at: i32| {
+            if stride == cell_stride {
+                path.good_until(at)
+            } else {
+                at.wrapping_add(1)
+            }
+        };
         for copy in 0..self.width {
             let (mut at, end) = if self.width == 1 {
                 (start, end)
@@ -224,7 +233,7 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
             };
             is_drawn |= at < end;
             while at < end {
-                let mut stop = end.min(self.path.good_until(at));
+                let mut stop = end.min(longest(&self.path, at));
                 if in_pieces {
                     let piece = at.wrapping_sub(from).wrapping_div(V::PIECE);
                     let begin = from.wrapping_add(piece.wrapping_mul(V::PIECE));
@@ -278,49 +287,43 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
     {
         let Self { first, by_columns, mut steps, mut z, z_step, mut varying, step, .. } = *self;
         let (depth, counter) = state.parts();
-        let (stride, cell_stride) = frame.strides::<Access<S>>();
+        let (stride, _) = frame.strides::<Access<S>>();
         let (least, sign) = self.least_step;
         let Pixel { mut x, mut y } = first;
         let (along, across) = if by_columns { (1, stride) } else { (stride, 1) };
         // Wrapping: steps may lead back.
         let plain = along.wrapping_add(across.wrapping_mul(least as usize));
         let carried = plain.wrapping_add(across.wrapping_mul(sign as usize));
-        let mut left = self.count;
-        while left > 0 {
-            // Where rows of colour and of depth differ in length, pixel by pixel.
-            let run = if stride == cell_stride { left } else { 1 };
-            left = left.wrapping_sub(run);
-            let Some((pixels, mut cells, mut at)) = frame.all_from::<Access<S>>(x, y) else {
-                return;
-            };
-            for _ in 0..run {
-                if pattern.is_on() {
-                    let Some(pixel) = pixels.get_mut(at) else { return };
-                    let Some(cells) = <Access<S>>::one(&mut cells, at) else { return };
-                    shader.span(Row::<S, F, V> {
-                        x,
-                        y,
-                        pixels: core::slice::from_mut(pixel),
-                        cells,
-                        z,
-                        z_step,
-                        varying,
-                        step,
-                        depth,
-                        counter: &mut *counter,
-                    });
-                }
-                pattern.step(forwards);
-                z = z.wrapping_add(z_step);
-                varying.step(&step);
-                let carries = steps.carries();
+        let Some((pixels, mut cells, mut at)) = frame.all_from::<Access<S>>(x, y) else { return };
+        for _ in 0..self.count {
+            if pattern.is_on() {
+                let Some(pixel) = pixels.get_mut(at) else { return };
+                let Some(cells) = <Access<S>>::one(&mut cells, at) else { return };
+                shader.span(Row::<S, F, V> {
+                    x,
+                    y,
+                    pixels: core::slice::from_mut(pixel),
+                    cells,
+                    z,
+                    z_step,
+                    varying,
+                    step,
+                    depth,
+                    counter: &mut *counter,
+                });
+            }
+            pattern.step(forwards);
+            z = z.wrapping_add(z_step);
+            varying.step(&step);
+            let carries = steps.carries();
+            let minor = least.wrapping_add(if carries { sign } else { 0 });
+            if by_columns {
                 at = at.wrapping_add(if carries { carried } else { plain });
-                let minor = least.wrapping_add(if carries { sign } else { 0 });
-                if by_columns {
-                    (x, y) = (x.wrapping_add(1), y.wrapping_add(minor));
-                } else {
-                    (x, y) = (x.wrapping_add(minor), y.wrapping_add(1));
-                }
+                (x, y) = (x.wrapping_add(1), y.wrapping_add(minor));
+            } else {
+                // Rows are counted downwards, so that a step carries by one: an addition with carry.
+                at = at.wrapping_add(plain).wrapping_add(carries.into());
+                (x, y) = (x.wrapping_add(minor), y.wrapping_add(1));
             }
         }
     }

@@ -45,8 +45,8 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{
-    Clip, Cull, LineStyle, Midpoint, Pass, PointSize, ScreenPass, ShadedVertex, SizeOf, Stippled,
-    Thin, VertexCache, Wide, Winding,
+    Clip, Cull, LineStyle, Midpoint, Pass, PointSize, Rectangle, ScreenPass, ShadedVertex, SizeOf,
+    Smooth, Stippled, Thin, VertexCache, Wide, Winding,
 };
 pub use scene::{
     normal, AnyTopology, Camera, Consecutive, IndexedList, Indices, LastProvoking, Light, LineList,
@@ -55,9 +55,9 @@ pub use scene::{
 };
 pub use shade::{
     Always, AnyDepth, Coloring, Corner, Counter, Counting, DepthTest, DrawContext, Equal, Flat,
-    FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, NotEqual, Off, Row,
-    Scalar, Shader, SmoothColor, Solid, State, States, Stats, Uncounted, Varying, VertexColors,
-    VertexInput,
+    FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, NotEqual, Off,
+    PointCoordinates, Row, Scalar, Shader, SmoothColor, Solid, State, States, Stats, Uncounted,
+    Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -25,7 +25,7 @@ pub use cache::VertexCache;
 pub use clip::Clip;
 use cull::CulledWindings;
 pub use cull::{Cull, Winding};
-pub use line::{LineStyle, Midpoint, Stippled, Thin, Wide};
+pub use line::{LineStyle, Midpoint, Rectangle, Smooth, Stippled, Thin, Wide};
 pub use pass::Pass;
 pub use point_size::{PointSize, SizeOf};
 pub use screen_pass::{ScreenPass, ShadedVertex};

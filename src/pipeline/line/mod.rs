@@ -1,6 +1,9 @@
 //! What lines look like.
 
 mod midpoint;
+mod quad;
+mod rectangle;
+mod smooth;
 mod stippled;
 mod stroke;
 mod style;
@@ -8,6 +11,8 @@ mod thin;
 mod wide;
 
 pub use midpoint::Midpoint;
+pub use rectangle::Rectangle;
+pub use smooth::Smooth;
 pub use stippled::Stippled;
 pub(super) use stroke::{LineDraw, Outcome};
 pub use style::LineStyle;

@@ -5,7 +5,8 @@ use crate::frame::{Frame, Supplies};
 use crate::shade::{Shader, State};
 
 /// What lines look like: [`Thin`](super::Thin), [`Midpoint`](super::Midpoint),
-/// [`Wide`](super::Wide), or one of them [`Stippled`](super::Stippled).
+/// [`Wide`](super::Wide), one of these [`Stippled`](super::Stippled),
+/// [`Rectangle`](super::Rectangle), or [`Smooth`](super::Smooth).
 ///
 /// A type, so that a program contains the styles that it uses.
 pub trait LineStyle: Copy {

@@ -50,7 +50,7 @@ impl<L: Replicated> LineStyle for Stippled<L> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let dashes = Dashes { pattern: self.pattern, factor: self.factor.max(1).into(), at: 0 };
+        let dashes = Dashes { pattern: self.pattern, factor: self.factor.max(1), had: 0 };
         self.style.draw_with(dashes, line, frame, state, shader)
     }
 }
@@ -58,31 +58,41 @@ impl<L: Replicated> LineStyle for Stippled<L> {
 /// A [`Stippled`] line at one of its pixels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dashes {
+    /// The pixel's bit is the lowest.
     pattern: u16,
-    factor: u32,
-    /// Pixels from the beginning, modulo sixteen times the factor.
-    at: u32,
+    factor: u8,
+    /// Pixels that the bit had already.
+    had: u8,
 }
 
 impl Pattern for Dashes {
     #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "less than the factor")]
     fn started(self, pixel: u32) -> Self {
-        Self { at: pixel % self.factor.wrapping_mul(16).max(1), ..self }
+        let factor = u32::from(self.factor.max(1));
+        let bit = pixel / factor;
+        let had = pixel.wrapping_sub(bit.wrapping_mul(factor)) as u8;
+        Self { pattern: self.pattern.rotate_right(bit & 15), had, ..self }
     }
 
     #[inline(always)]
     fn is_on(&self) -> bool {
-        self.pattern >> (self.at / self.factor.max(1) & 15) & 1 != 0
+        self.pattern & 1 != 0
     }
 
     #[inline(always)]
     fn step(&mut self, forwards: bool) {
-        let last = self.factor.wrapping_mul(16).wrapping_sub(1);
-        self.at = match (forwards, self.at) {
-            (true, at) if at >= last => 0,
-            (true, at) => at.wrapping_add(1),
-            (false, 0) => last,
-            (false, at) => at.wrapping_sub(1),
-        };
+        let last = self.factor.wrapping_sub(1);
+        if forwards {
+            if self.had == last {
+                (self.had, self.pattern) = (0, self.pattern.rotate_right(1));
+            } else {
+                self.had = self.had.wrapping_add(1);
+            }
+        } else if self.had == 0 {
+            (self.had, self.pattern) = (last, self.pattern.rotate_left(1));
+        } else {
+            self.had = self.had.wrapping_sub(1);
+        }
     }
 }

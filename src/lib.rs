@@ -54,10 +54,12 @@ pub use scene::{
     TriangleStrip,
 };
 pub use shade::{
-    Always, AnyDepth, Coloring, Corner, Counter, Counting, DepthTest, DrawContext, Equal, Flat,
-    FlatColor, Gouraud, Greater, GreaterEqual, Lambert, Less, LessEqual, NotEqual, Off,
-    PointCoordinates, Row, Scalar, Shader, SmoothColor, Solid, State, States, Stats, Uncounted,
-    Varying, VertexColors, VertexInput,
+    Adaptive, Affine, Always, AnyDepth, Coloring, Constant, Corner, Counter, Counting, DepthTest,
+    DrawContext, Equal, Every, Exact, Flat, FlatColor, Gouraud, Greater, GreaterEqual,
+    Interpolated, Lambert, Less, LessEqual, NotEqual, Off, Perspective, PerspectiveCorner,
+    PerspectiveMode, PerspectiveVarying, PointCoordinates, Row, Scalar, Scalars, Shader,
+    SmoothColor, Solid, State, States, Stats, Stepped, Uncounted, Uv, UvStep, Varying,
+    VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

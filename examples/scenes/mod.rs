@@ -9,6 +9,7 @@ pub(crate) mod hash;
 pub(crate) mod model;
 pub(crate) mod primitives;
 pub(crate) mod standard;
+pub(crate) mod textured;
 pub(crate) mod toon;
 
 use microraster::{Color, VertexCache};
@@ -82,5 +83,6 @@ pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
         .into_iter()
         .chain(primitives::scenes())
         .chain(toon::scenes())
+        .chain(textured::scenes())
         .chain(golden::scenes())
 }

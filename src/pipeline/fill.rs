@@ -70,12 +70,12 @@ impl<V: Varying> Fill<'_, V> {
                 batch.spans().iter().try_for_each(|span| {
                     pieces(span, V::PIECE).try_for_each(|(start, piece)| {
                         V::settle(&mut planes, start, piece.y);
-                        let mut ready = Ready { planes: &mut planes, z_plane: &z_plane };
+                        let ready = Ready { planes: &planes, z_plane: &z_plane };
                         ready.draw::<H, S, F, D>(&[piece], frame, state, shader)
                     })
                 })
             } else {
-                let mut ready = Ready { planes: &mut planes, z_plane: &z_plane };
+                let ready = Ready { planes: &planes, z_plane: &z_plane };
                 ready.draw::<H, S, F, D>(batch.spans(), frame, state, shader)
             };
             if drawn.is_none() || batch.is_last() {
@@ -107,7 +107,7 @@ fn pieces(span: &Span, length: i32) -> impl Iterator<Item = (i32, Span)> {
 
 /// A triangle's planes, ready for its spans.
 struct Ready<'a, V: Varying> {
-    planes: &'a mut V::Planes,
+    planes: &'a V::Planes,
     z_plane: &'a Plane,
 }
 
@@ -117,7 +117,7 @@ impl<V: Varying> Ready<'_, V> {
     /// Apart from the walk, so that the registers are the pixel loop's.
     #[inline(never)]
     fn draw<H, S, F, D>(
-        &mut self,
+        &self,
         spans: &[Span],
         frame: &mut Frame<'_, F, D>,
         state: &mut S,
@@ -135,9 +135,10 @@ impl<V: Varying> Ready<'_, V> {
             let (pixels, cells) = frame.row_with_depth::<Access<S>>(y, left, right)?;
             if V::IN_RUNS {
                 let mut cells = cells;
+                let mut runs = V::runs(self.planes, span);
                 let mut x = left;
                 while x < right {
-                    let (varying, step, end) = V::run(self.planes, span, x);
+                    let (varying, step, end) = V::run(self.planes, &mut runs, span, x);
                     let end = end.min(right);
                     let (from, length) = (x.wrapping_sub(left), end.wrapping_sub(x));
                     let (from, length) = (from as usize, length as usize);
@@ -159,7 +160,8 @@ impl<V: Varying> Ready<'_, V> {
                 }
                 continue;
             }
-            let (varying, step, _) = V::run(self.planes, span, left);
+            let mut runs = V::runs(self.planes, span);
+            let (varying, step, _) = V::run(self.planes, &mut runs, span, left);
             shader.span(Row::<S, F, V> {
                 x: left,
                 y,

@@ -1,5 +1,5 @@
 use super::varying::mix_word;
-use super::Varying;
+use super::{Stepped, Varying};
 use crate::color::{rounded, Color, Rgb16};
 use crate::raster::{Gradients, Span};
 
@@ -15,10 +15,17 @@ impl FlatColor {
     }
 }
 
+impl Stepped for FlatColor {
+    type Step = ();
+
+    #[inline(always)]
+    fn step(&mut self, (): &()) {}
+}
+
 impl Varying for FlatColor {
     type Corner = Color;
     type Planes = Color;
-    type Step = ();
+    type Runs = ();
 
     const INTERPOLATED: bool = false;
     const PIECE: i32 = 0;
@@ -30,12 +37,12 @@ impl Varying for FlatColor {
     }
 
     #[inline(always)]
-    fn run(color: &mut Color, _: &Span, _x: i32) -> (Self, (), i32) {
-        (Self(*color), (), i32::MAX)
-    }
+    fn runs(_: &Color, _: &Span) {}
 
     #[inline(always)]
-    fn step(&mut self, (): &()) {}
+    fn run(color: &Color, (): &mut (), _: &Span, _x: i32) -> (Self, (), i32) {
+        (Self(*color), (), i32::MAX)
+    }
 
     #[inline(always)]
     fn settle(_: &mut Color, _x: i32, _y: i32) {}

@@ -5,28 +5,41 @@
 //! [`Gouraud`] are users of the same trait; both take their colours from a [`Coloring`].
 
 mod coloring;
+mod constant;
 mod flat;
 mod flat_color;
 mod gouraud;
+mod interpolated;
 mod lambert;
+mod perspective;
 mod point_coordinates;
 mod row;
 mod scalar;
+mod scalars;
 mod shader;
 mod smooth_color;
 mod solid;
 mod state;
+mod uv;
 mod varying;
 mod vertex_colors;
 
 pub use coloring::Coloring;
+pub use constant::Constant;
 pub use flat::Flat;
 pub use flat_color::FlatColor;
 pub use gouraud::Gouraud;
+pub use interpolated::{Interpolated, Words};
 pub use lambert::{Lambert, PreparedLambert};
+pub use perspective::{
+    Adaptive, Affine, AffineValue, Every, Exact, ExactStep, ExactValue, Interval, Perspective,
+    PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, Subspan,
+    SubspanValue,
+};
 pub use point_coordinates::PointCoordinates;
 pub use row::Row;
 pub use scalar::Scalar;
+pub use scalars::{Scalars, ScalarsPlanes};
 pub use shader::{DrawContext, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
@@ -34,5 +47,6 @@ pub use state::{
     Always, AnyDepth, Counter, Counting, DepthTest, Equal, Event, Greater, GreaterEqual, Less,
     LessEqual, NotEqual, Off, State, States, Stats, Uncounted,
 };
-pub use varying::{Corner, Varying};
+pub use uv::{Uv, UvBase, UvPlanes, UvStep};
+pub use varying::{Corner, Stepped, Varying};
 pub use vertex_colors::VertexColors;

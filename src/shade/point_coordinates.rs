@@ -1,4 +1,4 @@
-use super::Varying;
+use super::{Stepped, Uv, Varying};
 use crate::raster::{Gradients, PointSquare, Span};
 
 /// Where a pixel lies in the square of its point: `s` runs to the right, `t` downwards, both from
@@ -43,6 +43,12 @@ impl PointCoordinates {
         Self::ONE.wrapping_sub(self.t())
     }
 
+    /// As texture coordinates, 2^12 of which make the texture: for sprites.
+    #[inline(always)]
+    pub const fn uv(self) -> Uv {
+        Uv { u: self.s(), v: self.t() }
+    }
+
     /// The square of the distance to the middle, where half a side is 2^13: below 2^26 in the
     /// circle that fills the square.
     #[inline(always)]
@@ -55,10 +61,19 @@ impl PointCoordinates {
     }
 }
 
+impl Stepped for PointCoordinates {
+    type Step = u32;
+
+    #[inline(always)]
+    fn step(&mut self, step: &u32) {
+        self.s = self.s.wrapping_add(*step);
+    }
+}
+
 impl Varying for PointCoordinates {
     type Corner = ();
     type Planes = ();
-    type Step = u32;
+    type Runs = ();
 
     const INTERPOLATED: bool = false;
     const PIECE: i32 = 0;
@@ -68,7 +83,10 @@ impl Varying for PointCoordinates {
     fn planes(_: &Gradients, _: &[(); 3], (): &(), _in_pieces: bool) {}
 
     #[inline(always)]
-    fn run((): &mut (), _: &Span, _x: i32) -> (Self, u32, i32) {
+    fn runs((): &(), _: &Span) {}
+
+    #[inline(always)]
+    fn run((): &(), (): &mut (), _: &Span, _x: i32) -> (Self, u32, i32) {
         (Self::default(), 0, i32::MAX)
     }
 
@@ -83,11 +101,6 @@ impl Varying for PointCoordinates {
         };
         let (s, t) = square.offset(x, y);
         (Self { s: at(s), t: at(t) }, step)
-    }
-
-    #[inline(always)]
-    fn step(&mut self, step: &u32) {
-        self.s = self.s.wrapping_add(*step);
     }
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-use super::{Counter, DepthTest, State, Varying};
+use super::{Counter, DepthTest, State, Stepped};
 use crate::color::{Color, Format};
 use crate::frame::DepthAccess;
 
@@ -8,7 +8,7 @@ type Access<S> = <<S as State>::Depth as DepthTest>::Access;
 pub(crate) type Cells<'a, S> = <Access<S> as DepthAccess>::Cells<'a>;
 
 /// A run of pixels in one row: where depth, state, format and the varying's step meet.
-pub struct Row<'a, S: State, F: Format, V: Varying> {
+pub struct Row<'a, S: State, F: Format, V: Stepped> {
     /// The first pixel's column and row, in picture coordinates.
     pub(crate) x: i32,
     pub(crate) y: i32,
@@ -23,13 +23,13 @@ pub struct Row<'a, S: State, F: Format, V: Varying> {
     pub(crate) counter: &'a mut S::Counter,
 }
 
-impl<S: State, F: Format, V: Varying> core::fmt::Debug for Row<'_, S, F, V> {
+impl<S: State, F: Format, V: Stepped> core::fmt::Debug for Row<'_, S, F, V> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("Row").field("pixels", &self.pixels.len()).finish_non_exhaustive()
     }
 }
 
-impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
+impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     /// The first pixel's column, in picture coordinates.
     #[inline(always)]
     pub fn x(&self) -> i32 {
@@ -52,6 +52,18 @@ impl<S: State, F: Format, V: Varying> Row<'_, S, F, V> {
     #[inline(always)]
     pub fn step(&self) -> &V::Step {
         &self.step
+    }
+
+    /// The same pixels with another value and step: for what is cheaper to step in a form that only
+    /// the shader knows.
+    #[inline(always)]
+    pub fn convert<W: Stepped>(
+        self,
+        change: impl FnOnce(V, V::Step) -> (W, W::Step),
+    ) -> Row<'a, S, F, W> {
+        let Self { x, y, pixels, cells, z, z_step, varying, step, depth, counter } = self;
+        let (varying, step) = change(varying, step);
+        Row { x, y, pixels, cells, z, z_step, varying, step, depth, counter }
     }
 
     /// Calls `fragment` for each pixel that passes the depth test and stores what it gives;

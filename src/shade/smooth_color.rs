@@ -1,5 +1,5 @@
 use super::flat_color::mix_color;
-use super::Varying;
+use super::{Interpolated, Stepped, Varying};
 use crate::color::Color;
 use crate::raster::{Gradients, Plane, PointSquare, Slopes, Span};
 
@@ -53,10 +53,20 @@ const fn packed_slope(blue: i32, red: i32) -> u32 {
     packed(blue.wrapping_add(0x8000).cast_unsigned(), red.wrapping_add(0x8000).cast_unsigned())
 }
 
+impl Stepped for SmoothColor {
+    type Step = (u32, u32);
+
+    #[inline(always)]
+    fn step(&mut self, (blue_red, green): &(u32, u32)) {
+        self.0.blue_red = self.0.blue_red.wrapping_add(*blue_red);
+        self.0.green = self.0.green.wrapping_add(*green);
+    }
+}
+
 impl Varying for SmoothColor {
     type Corner = Color;
     type Planes = SmoothColorPlanes;
-    type Step = (u32, u32);
+    type Runs = ();
 
     const INTERPOLATED: bool = true;
     const PIECE: i32 = Self::PIXELS;
@@ -73,7 +83,15 @@ impl Varying for SmoothColor {
     }
 
     #[inline(always)]
-    fn run(planes: &mut SmoothColorPlanes, span: &Span, x: i32) -> (Self, (u32, u32), i32) {
+    fn runs(_: &SmoothColorPlanes, _: &Span) {}
+
+    #[inline(always)]
+    fn run(
+        planes: &SmoothColorPlanes,
+        (): &mut (),
+        span: &Span,
+        x: i32,
+    ) -> (Self, (u32, u32), i32) {
         let y = span.y;
         let color = Color { blue_red: planes.blue_red.at(x, y), green: planes.green.at(x, y) };
         (Self(color), (planes.blue_red.dx, planes.green.dx), i32::MAX)
@@ -82,12 +100,6 @@ impl Varying for SmoothColor {
     #[inline(always)]
     fn on_point(corner: &Color, _: &PointSquare, _x: i32, _y: i32) -> (Self, (u32, u32)) {
         (Self(*corner), (0, 0))
-    }
-
-    #[inline(always)]
-    fn step(&mut self, (blue_red, green): &(u32, u32)) {
-        self.0.blue_red = self.0.blue_red.wrapping_add(*blue_red);
-        self.0.green = self.0.green.wrapping_add(*green);
     }
 
     #[inline]
@@ -103,6 +115,40 @@ impl Varying for SmoothColor {
     #[inline(always)]
     fn mix(corners: [&Color; 3], u: i32, v: i32) -> Color {
         mix_color(corners, u, v)
+    }
+}
+
+impl Interpolated for SmoothColor {
+    /// Blue, green and red.
+    type Words = [u32; 3];
+    type Base = ();
+
+    #[inline(always)]
+    fn words(corners: &[Color; 3]) -> ([[u32; 3]; 3], ()) {
+        (
+            corners
+                .map(|Color { blue_red, green }| [blue_red >> 16, green >> 16, blue_red & 0xFFFF]),
+            (),
+        )
+    }
+
+    #[inline(always)]
+    fn value((): &(), words: [u32; 3]) -> Self {
+        let [blue, green, red] = words.map(|word| word << 1);
+        Self(Color { blue_red: (blue & 0xFFFF_0000) | red >> 16, green })
+    }
+
+    #[inline(always)]
+    fn step_of((): &(), right: [u32; 3], _down: [u32; 3]) -> (u32, u32) {
+        let [blue, green, red] = right.map(|word| word << 1);
+        (packed_slope(blue.cast_signed(), red.cast_signed()), green)
+    }
+
+    #[inline(always)]
+    fn jump(&mut self, (blue_red, green): &(u32, u32), pixels: i32) {
+        let pixels = pixels.cast_unsigned();
+        self.0.blue_red = self.0.blue_red.wrapping_add(blue_red.wrapping_mul(pixels));
+        self.0.green = self.0.green.wrapping_add(green.wrapping_mul(pixels));
     }
 }
 

@@ -3,18 +3,27 @@ use crate::raster::{Gradients, PointSquare, Span};
 /// What a shader's `vertex` gives for one corner of a triangle.
 pub type Corner<V> = <V as Varying>::Corner;
 
+/// A value that goes from pixel to pixel in equal steps.
+pub trait Stepped: Copy {
+    /// What is added from one pixel to the next.
+    type Step: Copy;
+
+    /// Goes one pixel to the right.
+    fn step(&mut self, step: &Self::Step);
+}
+
 /// A value that varies over a triangle: made at its corners, interpolated to its pixels.
 ///
 /// Building blocks are `()` (nothing), [`FlatColor`](super::FlatColor),
 /// [`SmoothColor`](super::SmoothColor), [`Scalar`](super::Scalar), and up to
 /// eight of them side by side, as a tuple.
-pub trait Varying: Copy {
+pub trait Varying: Stepped {
     /// The value at a corner.
     type Corner: Copy + Default;
     /// What is prepared once a triangle.
     type Planes: Copy;
-    /// What is added from one pixel to the next.
-    type Step: Copy;
+    /// What is known of a row between its runs.
+    type Runs: Copy;
 
     /// Whether planes are needed. Otherwise the provoking corner alone decides, and the other two
     /// are never made.
@@ -37,10 +46,18 @@ pub trait Varying: Copy {
         in_pieces: bool,
     ) -> Self::Planes;
 
+    /// Begins a row: the first [`run`](Self::run) will be at `span.left`.
+    fn runs(planes: &Self::Planes, span: &Span) -> Self::Runs;
+
     /// The value at pixel `x` of a span, the step to its right neighbour, and the first pixel for
     /// which that step is no longer good: beyond the span unless varyings come
-    /// [in runs](Self::IN_RUNS).
-    fn run(planes: &mut Self::Planes, span: &Span, x: i32) -> (Self, Self::Step, i32);
+    /// [in runs](Self::IN_RUNS). From run to run `x` grows.
+    fn run(
+        planes: &Self::Planes,
+        runs: &mut Self::Runs,
+        span: &Span,
+        x: i32,
+    ) -> (Self, Self::Step, i32);
 
     /// The value at a pixel of a point whose corner has this value, and the step to the pixel's
     /// right neighbour: the same everywhere, unless it is about the point's square.
@@ -51,13 +68,12 @@ pub trait Varying: Copy {
         _x: i32,
         _y: i32,
     ) -> (Self, Self::Step) {
-        let mut planes = Self::planes(&Gradients::NONE, &[*corner; 3], corner, false);
-        let (value, step, _) = Self::run(&mut planes, &Span::default(), 0);
+        let planes = Self::planes(&Gradients::NONE, &[*corner; 3], corner, false);
+        let span = Span::default();
+        let mut runs = Self::runs(&planes, &span);
+        let (value, step, _) = Self::run(&planes, &mut runs, &span, 0);
         (value, step)
     }
-
-    /// Goes one pixel to the right.
-    fn step(&mut self, step: &Self::Step);
 
     /// Makes planes good for the [`PIECE`](Self::PIECE) pixels of row `y` from `x` on.
     fn settle(planes: &mut Self::Planes, x: i32, y: i32);
@@ -81,10 +97,17 @@ pub(crate) fn mix_word(a: i32, b: i32, c: i32, u: i32, v: i32) -> i32 {
     a.wrapping_add((sum.wrapping_add(1 << 29) >> 30) as i32)
 }
 
+impl Stepped for () {
+    type Step = ();
+
+    #[inline(always)]
+    fn step(&mut self, (): &()) {}
+}
+
 impl Varying for () {
     type Corner = ();
     type Planes = ();
-    type Step = ();
+    type Runs = ();
 
     const INTERPOLATED: bool = false;
     const PIECE: i32 = 0;
@@ -94,12 +117,12 @@ impl Varying for () {
     fn planes(_: &Gradients, _: &[(); 3], (): &(), _in_pieces: bool) {}
 
     #[inline(always)]
-    fn run((): &mut (), _: &Span, _x: i32) -> ((), (), i32) {
-        ((), (), i32::MAX)
-    }
+    fn runs((): &(), _: &Span) {}
 
     #[inline(always)]
-    fn step(&mut self, (): &()) {}
+    fn run((): &(), (): &mut (), _: &Span, _x: i32) -> ((), (), i32) {
+        ((), (), i32::MAX)
+    }
 
     #[inline(always)]
     fn settle((): &mut (), _x: i32, _y: i32) {}
@@ -120,10 +143,19 @@ const fn shorter(a: i32, b: i32) -> i32 {
 /// Varyings side by side.
 macro_rules! groups {
     ($($group:ident $value:ident $number:tt),+) => {
+        impl<$($group: Stepped),+> Stepped for ($($group,)+) {
+            type Step = ($($group::Step,)+);
+
+            #[inline(always)]
+            fn step(&mut self, step: &Self::Step) {
+                $(self.$number.step(&step.$number);)+
+            }
+        }
+
         impl<$($group: Varying),+> Varying for ($($group,)+) {
             type Corner = ($($group::Corner,)+);
             type Planes = ($($group::Planes,)+);
-            type Step = ($($group::Step,)+);
+            type Runs = ($($group::Runs,)+);
 
             const INTERPOLATED: bool = false $(|| $group::INTERPOLATED)+;
             const PIECE: i32 = {
@@ -149,11 +181,8 @@ macro_rules! groups {
             }
 
             #[inline(always)]
-            fn run(planes: &mut Self::Planes, span: &Span, x: i32) -> (Self, Self::Step, i32) {
-                $(let $value = $group::run(&mut planes.$number, span, x);)+
-                let end = i32::MAX;
-                $(let end = end.min($value.2);)+
-                (($($value.0,)+), ($($value.1,)+), end)
+            fn runs(planes: &Self::Planes, span: &Span) -> Self::Runs {
+                ($($group::runs(&planes.$number, span),)+)
             }
 
             #[inline(always)]
@@ -168,8 +197,16 @@ macro_rules! groups {
             }
 
             #[inline(always)]
-            fn step(&mut self, step: &Self::Step) {
-                $(self.$number.step(&step.$number);)+
+            fn run(
+                planes: &Self::Planes,
+                runs: &mut Self::Runs,
+                span: &Span,
+                x: i32,
+            ) -> (Self, Self::Step, i32) {
+                $(let $value = $group::run(&planes.$number, &mut runs.$number, span, x);)+
+                let end = i32::MAX;
+                $(let end = end.min($value.2);)+
+                (($($value.0,)+), ($($value.1,)+), end)
             }
 
             #[inline(always)]

@@ -241,7 +241,8 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
                     stop = stop.min(begin.wrapping_add(V::PIECE));
                 }
                 let span = Span { y: level, first: from, left: at, right: stop, behind: to };
-                let (varying, step, good) = V::run(&mut planes, &span, at);
+                let mut runs = V::runs(&planes, &span);
+                let (varying, step, good) = V::run(&planes, &mut runs, &span, at);
                 stop = stop.min(good);
                 let minor = self.path.minor(at).wrapping_add(copy);
                 let first =

@@ -42,6 +42,10 @@ impl<F: Format, D: core::fmt::Debug> core::fmt::Debug for Frame<'_, F, D> {
     }
 }
 
+/// Colours, depths, and the number of a pixel in both.
+type AllPixels<'a, F, A> =
+    (&'a mut [<F as Format>::Raw], <A as super::DepthAccess>::Cells<'a>, usize);
+
 /// How many elements rows of this stride span: the last row needs only its width.
 fn needed(size: Size, stride: u32) -> u32 {
     stride
@@ -270,7 +274,7 @@ impl<F: Format, D> Frame<'_, F, D> {
         &mut self,
         x: i32,
         y: i32,
-    ) -> Option<(&mut [F::Raw], A::Cells<'_>, usize)>
+    ) -> Option<AllPixels<'_, F, A>>
     where
         D: Supplies<A>,
     {

@@ -1,4 +1,5 @@
 //! Topologies against the lists that they stand for, written out.
+#![allow(clippy::cast_possible_truncation, reason = "a few vertices")]
 
 extern crate std;
 
@@ -21,9 +22,15 @@ fn parts(sequence: &[Step]) -> Vec<Vec<u32>> {
         .collect()
 }
 
+/// A triangle, and its provoking vertices by both conventions.
+type Provoked = ([u32; 3], u32, u32);
+
+/// A line, and whether it goes on from the one before.
+type Chained = ([u32; 2], bool);
+
 /// Triangles as OpenGL 4.6 has them in tables 10.1 and 13.2: corners in the order of the surface,
 /// and the provoking vertices of both conventions.
-fn strip(part: &[u32]) -> Vec<([u32; 3], u32, u32)> {
+fn strip(part: &[u32]) -> Vec<Provoked> {
     (2..part.len())
         .map(|i| {
             let (a, b, c) = (part[i - 2], part[i - 1], part[i]);
@@ -33,7 +40,7 @@ fn strip(part: &[u32]) -> Vec<([u32; 3], u32, u32)> {
         .collect()
 }
 
-fn fan(part: &[u32]) -> Vec<([u32; 3], u32, u32)> {
+fn fan(part: &[u32]) -> Vec<Provoked> {
     (2..part.len()).map(|i| ([part[0], part[i - 1], part[i]], part[i - 1], part[i])).collect()
 }
 
@@ -42,7 +49,7 @@ fn same_turn(a: [u32; 3], b: [u32; 3]) -> bool {
     (0..3).any(|turn| [0, 1, 2].map(|k| a[(k + turn) % 3]) == b)
 }
 
-fn check_triangles<T>(topology: &T, expected: &[([u32; 3], u32, u32)])
+fn check_triangles<T>(topology: &T, expected: &[Provoked])
 where
     T: Topology<Primitive = [u32; 3]>,
 {
@@ -64,8 +71,8 @@ where
 /// Indices with a restart now and then, often several at once.
 fn indices(random: &mut Random) -> Vec<u8> {
     let length = random.word() % 24;
-    let mut index = |i| if random.word() % 5 == 0 { 255 } else { i as u8 };
-    (0..length).map(|i| index(i)).collect()
+    let index = |i| if random.word().is_multiple_of(5) { 255 } else { i as u8 };
+    (0..length).map(index).collect()
 }
 
 fn steps(indices: &[u8], restarts: bool) -> Vec<Step> {
@@ -90,7 +97,7 @@ fn strips_and_fans_are_the_lists_that_they_stand_for() {
         let bytes = indices(&mut random);
         let halves = wide(&bytes, u16::MAX, u16::from);
         let words = wide(&bytes, u32::MAX, u32::from);
-        let all = |restarts, of: fn(&[u32]) -> Vec<([u32; 3], u32, u32)>| -> Vec<_> {
+        let all = |restarts, of: fn(&[u32]) -> Vec<Provoked>| -> Vec<Provoked> {
             parts(&steps(&bytes, restarts)).iter().flat_map(|part| of(part)).collect()
         };
         check_triangles(&TriangleStrip::new(Indices::new(&bytes)), &all(false, strip));
@@ -124,14 +131,14 @@ fn lists_have_their_triangles_in_order_and_nothing_of_what_is_left_over() {
 }
 
 /// Lines, and which of them go on from the one before.
-fn lines<T: Topology<Primitive = [u32; 2]>>(topology: &T) -> Vec<([u32; 2], bool)> {
+fn lines<T: Topology<Primitive = [u32; 2]>>(topology: &T) -> Vec<Chained> {
     let mut cursor = T::Cursor::default();
     let mut lines = Vec::new();
     while let Some((number, line)) = topology.next::<false>(&mut cursor) {
         assert_eq!(number as usize, lines.len(), "numbers");
         lines.push((line, topology.continues(&cursor)));
     }
-    assert_eq!(topology.next::<false>(&mut cursor).is_none(), true, "behind the last");
+    assert!(topology.next::<false>(&mut cursor).is_none(), "behind the last");
     assert_eq!(topology.count() as usize, lines.len(), "count");
     assert!(!T::LAST_PROVOKES && LastProvoking::<T>::LAST_PROVOKES, "conventions");
     assert!(LastProvoking(*topology).iter().eq(topology.iter()), "a line keeps its way");
@@ -158,7 +165,7 @@ fn lines_and_points_are_those_of_their_vertices() {
             let pairs = |part: &[u32]| -> Vec<_> {
                 part.chunks_exact(2).map(|w| ([w[0], w[1]], false)).collect()
             };
-            let all = |of: &dyn Fn(&[u32]) -> Vec<([u32; 2], bool)>| -> Vec<_> {
+            let all = |of: &dyn Fn(&[u32]) -> Vec<Chained>| -> Vec<Chained> {
                 parts.iter().flat_map(|part| of(part)).collect()
             };
             let (list, strip, closed, points) = if restarts {

@@ -49,17 +49,17 @@ pub use pipeline::{
     Smooth, Stippled, Thin, VertexCache, Wide, Winding,
 };
 pub use scene::{
-    normal, AnyTopology, Camera, Consecutive, IndexedList, Indices, LastProvoking, Light, LineList,
-    LineLoop, LineStrip, List, Mesh, Normal, Points, RestartIndices, Topology, TriangleFan,
-    TriangleStrip,
+    normal, AnyLightKind, AnyTopology, Attenuation, Camera, Consecutive, DirectionalLight,
+    IndexedList, Indices, LastProvoking, Light, LineList, LineLoop, LineStrip, List, Mesh, Normal,
+    PointLight, Points, RestartIndices, SpotLight, Topology, TriangleFan, TriangleStrip,
 };
 pub use shade::{
-    Adaptive, Affine, Always, AnyDepth, Coloring, Constant, Corner, Counter, Counting, DepthTest,
-    DrawContext, Equal, Every, Exact, Flat, FlatColor, Gouraud, Greater, GreaterEqual,
-    Interpolated, Lambert, Less, LessEqual, NotEqual, Off, Perspective, PerspectiveCorner,
-    PerspectiveMode, PerspectiveVarying, PointCoordinates, Row, Scalar, Scalars, Shader,
-    SmoothColor, Solid, State, States, Stats, Stepped, Uncounted, Uv, UvStep, Varying,
-    VertexColors, VertexInput,
+    Adaptive, Affine, Always, AnyDepth, AtFragments, AtVertices, BlinnPhong, Coloring, Constant,
+    Corner, Counter, Counting, DepthTest, DrawContext, Equal, Every, Exact, Flat, FlatColor, Fog,
+    Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual, LightKind,
+    Lighting, NotEqual, Off, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying,
+    PointCoordinates, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats,
+    Stepped, Surface, Tinted, Uncounted, Uv, UvStep, Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

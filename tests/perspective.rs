@@ -1,4 +1,5 @@
 //! Varyings in perspective against quotients of `f64` planes.
+#![allow(clippy::needless_range_loop, reason = "an axis is used of several pairs of coordinates")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
@@ -261,8 +262,8 @@ fn affine_is_linear_on_the_screen() {
         for (y, first, last) in rows(&pixels) {
             for x in first..=last {
                 let (_, expected) = flat.at(x, y);
-                for axis in 0..2 {
-                    let error = difference(seen(&pixels, x, y)[axis], expected[axis]);
+                for (seen, expected) in seen(&pixels, x, y).into_iter().zip(expected) {
+                    let error = difference(seen, expected);
                     assert!(error <= 0.126, "{error} at {x}, {y} of {corners:?}");
                 }
             }

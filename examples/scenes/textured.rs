@@ -25,6 +25,7 @@ static QUAD: [[i16; 3]; 4] = [
 static COORDINATES: [[i16; 2]; 4] = [[0, 4096], [4096, 4096], [4096, 0], [0, 0]];
 static INDICES: [u16; 6] = [0, 1, 2, 0, 2, 3];
 
+#[allow(clippy::cast_possible_truncation, reason = "sixteen bits")]
 static TEXTURE: [u16; 128 * 128] = {
     let mut t = [0; 128 * 128];
     let mut i = 0;

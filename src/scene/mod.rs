@@ -7,7 +7,7 @@ mod normal;
 mod topology;
 
 pub use camera::Camera;
-pub use light::Light;
+pub use light::{AnyLightKind, Attenuation, DirectionalLight, Light, PointLight, SpotLight};
 pub use mesh::Mesh;
 pub(crate) use mesh::Vertices;
 pub use normal::{normal, Normal};

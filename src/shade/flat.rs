@@ -1,6 +1,6 @@
 use super::{
-    Coloring, Corner, DrawContext, FlatColor, Lambert, Row, Shader, Solid, State, VertexColors,
-    VertexInput,
+    Coloring, Corner, DrawContext, FlatColor, Lambert, LightKind, Row, Shader, Solid, State,
+    VertexColors, VertexInput,
 };
 use crate::color::{Color, Format, Rgb};
 use crate::scene::Light;
@@ -33,9 +33,9 @@ impl Flat<VertexColors> {
     }
 }
 
-impl<const N: usize> Flat<Lambert<N>> {
+impl<const N: usize, K: LightKind> Flat<Lambert<N, K>> {
     /// Lit by `lights`, white, with the ambient light of [`Lambert::new`].
-    pub fn lit(lights: &[Light; N]) -> Self {
+    pub fn lit(lights: &[Light<K>; N]) -> Self {
         Self(Lambert::new(lights))
     }
 }

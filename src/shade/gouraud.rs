@@ -1,5 +1,6 @@
 use super::{
-    Coloring, Corner, DrawContext, Lambert, Shader, SmoothColor, VertexColors, VertexInput,
+    Coloring, Corner, DrawContext, Lambert, LightKind, Shader, SmoothColor, VertexColors,
+    VertexInput,
 };
 use crate::color::Color;
 use crate::scene::Light;
@@ -25,9 +26,9 @@ impl Gouraud<VertexColors> {
     }
 }
 
-impl<const N: usize> Gouraud<Lambert<N>> {
+impl<const N: usize, K: LightKind> Gouraud<Lambert<N, K>> {
     /// Lit by `lights`, white, with the ambient light of [`Lambert::new`].
-    pub fn lit(lights: &[Light; N]) -> Self {
+    pub fn lit(lights: &[Light<K>; N]) -> Self {
         Self(Lambert::new(lights))
     }
 }

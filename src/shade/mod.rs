@@ -8,9 +8,11 @@ mod coloring;
 mod constant;
 mod flat;
 mod flat_color;
+mod fog;
+mod fogged;
 mod gouraud;
 mod interpolated;
-mod lambert;
+mod lighting;
 mod perspective;
 mod point_coordinates;
 mod row;
@@ -28,9 +30,14 @@ pub use coloring::Coloring;
 pub use constant::Constant;
 pub use flat::Flat;
 pub use flat_color::FlatColor;
+pub use fog::{Fog, FogDepth};
+pub use fogged::{AtFragments, AtVertices, FogPlace, Fogged};
 pub use gouraud::Gouraud;
 pub use interpolated::{Interpolated, Words};
-pub use lambert::{Lambert, PreparedLambert};
+pub use lighting::{
+    Beam, BlinnPhong, Lambert, LightKind, Lighting, PreparedAnyLight, PreparedBlinnPhong,
+    PreparedLambert, PreparedPoint, PreparedSpot, Surface, Tinted,
+};
 pub use perspective::{
     Adaptive, Affine, AffineValue, Every, Exact, ExactStep, ExactValue, Interval, Perspective,
     PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, Subspan,

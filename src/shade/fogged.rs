@@ -1,0 +1,114 @@
+use core::marker::PhantomData;
+
+use super::{
+    Adaptive, Corner, DrawContext, Fog, FogDepth, Perspective, PerspectiveMode, Scalar, Shader,
+    VertexInput,
+};
+use crate::color::Color;
+use crate::pipeline::Clip;
+
+/// Where a [`Fog`]'s formula is evaluated: [`AtVertices`] or [`AtFragments`].
+pub trait FogPlace: Copy {
+    /// What is interpolated, of the table's place at a vertex.
+    fn vertex(fog: &Fog, place: u16) -> u16;
+    /// How much is seen, of what was interpolated.
+    fn seen(fog: &Fog, interpolated: u16) -> u16;
+}
+
+/// At vertices: what is seen is interpolated. The cheaper.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AtVertices;
+
+/// At fragments: the distance is interpolated. The better where triangles are large.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AtFragments;
+
+impl FogPlace for AtVertices {
+    #[inline(always)]
+    fn vertex(fog: &Fog, place: u16) -> u16 {
+        fog.seen(place)
+    }
+
+    #[inline(always)]
+    fn seen(_: &Fog, interpolated: u16) -> u16 {
+        interpolated
+    }
+}
+
+impl FogPlace for AtFragments {
+    #[inline(always)]
+    fn vertex(_: &Fog, place: u16) -> u16 {
+        place
+    }
+
+    #[inline(always)]
+    fn seen(fog: &Fog, interpolated: u16) -> u16 {
+        fog.seen(interpolated)
+    }
+}
+
+/// A shader seen through [`Fog`].
+///
+/// Distances come from the mesh's positions; a shader that brings positions of its own is seen as
+/// if all lay at the mesh's offset.
+#[derive(Clone, Copy, Debug)]
+pub struct Fogged<S, A = AtVertices, M = Adaptive> {
+    shader: S,
+    fog: Fog,
+    kind: PhantomData<fn() -> (A, M)>,
+}
+
+impl<S> Fogged<S> {
+    /// A shader in fog that is evaluated at vertices.
+    pub const fn new(shader: S, fog: Fog) -> Self {
+        Self { shader, fog, kind: PhantomData }
+    }
+}
+
+impl<S, A, M> Fogged<S, A, M> {
+    /// The fog is evaluated elsewhere.
+    #[must_use]
+    pub fn at<N: FogPlace>(self, _: N) -> Fogged<S, N, M> {
+        Fogged { shader: self.shader, fog: self.fog, kind: PhantomData }
+    }
+
+    /// What is interpolated of the fog is corrected in another mode.
+    #[must_use]
+    pub fn perspective<N: PerspectiveMode>(self, _: N) -> Fogged<S, A, N> {
+        Fogged { shader: self.shader, fog: self.fog, kind: PhantomData }
+    }
+}
+
+impl<S: Shader, A: FogPlace, M: PerspectiveMode> Shader for Fogged<S, A, M> {
+    type Vertex = S::Vertex;
+    type Varying = (S::Varying, Perspective<Scalar, M>);
+    type Prepared = (S::Prepared, FogDepth);
+
+    const OWN_POSITIONS: bool = S::OWN_POSITIONS;
+
+    #[inline(always)]
+    fn prepare(&self, draw: &DrawContext) -> Self::Prepared {
+        (self.shader.prepare(draw), self.fog.prepare(draw))
+    }
+
+    #[inline(always)]
+    fn position(&self, (prepared, _): &Self::Prepared, vertex: &S::Vertex) -> Option<Clip> {
+        self.shader.position(prepared, vertex)
+    }
+
+    #[inline(always)]
+    fn vertex(
+        &self,
+        (prepared, depth): &Self::Prepared,
+        vertex: VertexInput<'_, S::Vertex>,
+    ) -> Corner<Self::Varying> {
+        let fog = A::vertex(&self.fog, depth.of(vertex.position));
+        (self.shader.vertex(prepared, vertex), fog.into())
+    }
+
+    #[inline(always)]
+    fn fragment(&self, (varying, fog): &Self::Varying) -> Option<Color> {
+        let color = self.shader.fragment(varying)?;
+        Some(self.fog.over(color, A::seen(&self.fog, fog.get())))
+    }
+}

@@ -11,6 +11,7 @@
 //! | [`scene`] | borrows a mesh from flash; says where it is seen from and what light falls on it |
 //! | [`pipeline`] | transforms each vertex once, culls, clips: a [`Pass`] for meshes, a [`ScreenPass`] for what is on the screen already |
 //! | [`raster`] | finds the covered pixels by exact integers, and the planes of what is interpolated |
+//! | [`texture`] | reads pictures from flash: formats, wraps, filters, mip-maps |
 //! | [`shade`] | asks a [`Shader`] for the colour of each pixel that passes the depth test |
 //! | [`frame`], [`color`] | store it: formats, stride, bands, scissor |
 //! | [`math`] | vectors, matrices, angles: the same bits everywhere |
@@ -36,6 +37,7 @@ pub mod pipeline;
 pub mod raster;
 pub mod scene;
 pub mod shade;
+pub mod texture;
 
 #[cfg(feature = "std")]
 pub mod host;
@@ -59,7 +61,8 @@ pub use shade::{
     Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual, LightKind,
     Lighting, NotEqual, Off, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying,
     PointCoordinates, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats,
-    Stepped, Surface, Tinted, Uncounted, Uv, UvStep, Varying, VertexColors, VertexInput,
+    Stepped, Surface, Textured, Tinted, Uncounted, Unlit, Uv, UvStep, Varying, VertexColors,
+    VertexInput,
 };
 
 /// The README's example runs with the tests.

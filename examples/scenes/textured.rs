@@ -1,94 +1,112 @@
-//! The measured scenes with a texture: a tilted quad of about 70 600 pixels, w ratio 2.
+//! The measured scenes with a texture: a quad that leans back, w from 2 to 4, under 128x128 texels.
+
+#![allow(clippy::cast_possible_truncation, reason = "texels of 16 bits")]
 
 use microraster::math::{Angle, Mat4, Vec3};
+use microraster::texture::{Sampler, Texture};
 use microraster::{
-    Camera, Color, DrawContext, Frame, IndexedList, Less, Mesh, Pass, Perspective,
-    PerspectiveCorner, Rgb, Rgb565, Shader, Size, Stats, Uv, VertexInput,
+    Camera, Frame, Gouraud, IndexedList, Less, Mesh, Pass, Rgb, Rgb565, Shader, Size, Stats,
+    Textured,
 };
 
 use super::{Facts, Group, Probe, Scene, Stage, ROOM};
 
 const SIZE: Size = Size::new(320, 240);
+/// Texels along each side.
+const SIDE: u16 = 128;
+const TEXELS: usize = SIDE as usize * SIDE as usize;
 
-/// The list.
-pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 1] {
-    let scene = |name, draw| Scene { name, group: Group::Standard, frames: 1, bunny: false, draw };
-    [scene("F4", f4::<P>)]
-}
-
-static QUAD: [[i16; 3]; 4] = [
-    [-16000, -8100, 10000],
-    [16000, -8100, 10000],
-    [16000, 16000, -10000],
-    [-16000, 16000, -10000],
-];
-static COORDINATES: [[i16; 2]; 4] = [[0, 4096], [4096, 4096], [4096, 0], [0, 0]];
-static INDICES: [u16; 6] = [0, 1, 2, 0, 2, 3];
-
-#[allow(clippy::cast_possible_truncation, reason = "sixteen bits")]
-static TEXTURE: [u16; 128 * 128] = {
-    let mut t = [0; 128 * 128];
-    let mut i = 0;
-    while i < t.len() {
-        let (x, y) = (i % 128, i / 128);
-        t[i] = (((x ^ y) >> 2) << 11 | x >> 1 << 5 | y >> 2) as u16;
+/// Checks of 16 texels, with a ramp across and one down.
+static DATA: [u16; TEXELS] = {
+    let (mut data, mut i) = ([0; TEXELS], 0);
+    while i < TEXELS {
+        let (x, y) = (i % SIDE as usize, i / SIDE as usize);
+        let check = (x / 16 + y / 16) % 2;
+        data[i] = ((x / 4) << 11 | (y / 2) << 5 | (check * 31)) as u16;
         i += 1;
     }
-    t
+    data
 };
 
-struct Nearest<'a> {
-    texels: &'a [u16],
-    shift: u32,
-    mask: u32,
-    up: u32,
+const TEXTURE: Texture<'static, Rgb565> = match Texture::new(&DATA, SIDE, SIDE) {
+    Ok(texture) => texture,
+    Err(_) => panic!("the size fits the data"),
+};
+
+static POSITIONS: [[i16; 3]; 4] = [[-1, -1, 1], [1, -1, 1], [1, 1, -1], [-1, 1, -1]];
+/// One repeat: texel (0, 0) is at the upper left.
+static PLACES: [[i16; 2]; 4] = [[0, 4096], [4096, 4096], [4096, 0], [0, 0]];
+static COLORS: [Rgb; 4] = [Rgb::RED, Rgb::GREEN, Rgb::BLUE, Rgb::WHITE];
+static INDICES: [u16; 6] = [0, 1, 2, 0, 2, 3];
+
+/// The list.
+pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 3] {
+    let scene = |name, draw| Scene { name, group: Group::Standard, frames: 1, bunny: false, draw };
+    [scene("F4", f4::<P>), scene("F5", f5::<P>), scene("F5m", f5m::<P>)]
 }
 
-impl Shader for Nearest<'_> {
-    type Vertex = [i16; 2];
-    type Varying = Perspective<Uv>;
-    type Prepared = ();
-
-    fn prepare(&self, _: &DrawContext) {}
-
-    fn vertex(&self, (): &(), vertex: VertexInput<'_, [i16; 2]>) -> PerspectiveCorner<[i16; 2]> {
-        (*vertex.attributes).into()
-    }
-
-    #[inline(always)]
-    fn fragment(&self, uv: &Perspective<Uv>) -> Option<Color> {
-        let x = (uv.u as u32 >> self.shift) & self.mask;
-        let y = (uv.v as u32 >> self.shift) & self.mask;
-        Some(Rgb565::decode(self.texels.get((y << self.up | x) as usize).copied().unwrap_or(0)))
-    }
+/// The quad from (-1.6, -0.81, -2) to (1.6, 1.6, -4).
+fn quad<A>(attributes: &[A]) -> Mesh<'_, A, IndexedList<'_, u16>> {
+    Mesh::new(&POSITIONS, attributes)
+        .indexed(&INDICES)
+        .placed(Vec3::new(1.6, 1.205, 1.0), Vec3::new(0.0, 0.395, -3.0))
 }
 
-fn f4<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
-    let color = bytemuck::cast_slice_mut(stage.color);
-    let frame = Frame::<Rgb565>::new(color, SIZE).and_then(|frame| frame.with_depth(stage.depth));
-    if let Ok(mut frame) = frame {
-        frame.clear(Rgb::BLACK);
-        let camera = Camera::perspective(Angle::from_degrees(45.0), 0.5);
-        let scale = 0.0001;
-        // z runs from -2 to -4 about -3.
-        let mesh: Mesh<'_, [i16; 2], IndexedList<'_, u16>> = Mesh::new(&QUAD, &COORDINATES)
-            .indexed(&INDICES)
-            .placed(Vec3::new(scale, scale, scale), Vec3::new(0.0, 0.0, -3.0));
-        let shader = Nearest { texels: &TEXTURE, shift: 16 + 12 - 7, mask: 127, up: 7 };
-        if P::COUNTING {
-            let mut stats = Stats::default();
-            Pass::new(&camera).depth(Less).count(&mut stats).draw(
-                &mut frame,
-                &Mat4::identity(),
-                &mesh,
-                &shader,
-            );
-            probe.pixels(stats.pixels.into());
-        } else {
-            probe.measure(|| {
-                Pass::new(&camera).depth(Less).draw(&mut frame, &Mat4::identity(), &mesh, &shader)
-            });
+/// Draws a shader's quad, measured.
+fn draw<P: Probe, A, S: Shader<Vertex = A>>(
+    stage: &mut Stage<'_>,
+    probe: &mut P,
+    shader: &S,
+    attributes: &[A],
+) -> Facts {
+    let Stage { color, depth, .. } = stage;
+    if let Ok(frame) = Frame::<Rgb565>::new(bytemuck::cast_slice_mut(color), SIZE) {
+        if let Ok(mut frame) = frame.with_depth(depth) {
+            frame.clear(Rgb::BLACK);
+            let camera = Camera::perspective(Angle::from_degrees(45.0), 0.5);
+            let (pass, mesh) = (Pass::new(&camera).depth(Less), quad(attributes));
+            if P::COUNTING {
+                let mut stats = Stats::default();
+                pass.count(&mut stats).draw(&mut frame, &Mat4::identity(), &mesh, shader);
+                probe.pixels(stats.pixels.into());
+            } else {
+                let mut pass = pass;
+                probe.measure(|| pass.draw(&mut frame, &Mat4::identity(), &mesh, shader));
+            }
         }
     }
     Facts { bytes: 2 * ROOM, triangles: 2 }
+}
+
+/// The nearest texel.
+fn f4<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    match Sampler::nearest(TEXTURE) {
+        Ok(sampler) => {
+            draw(stage, probe, &Textured::new(sampler), &PLACES.map(|place| ((), place)))
+        }
+        Err(_) => Facts { bytes: 0, triangles: 0 },
+    }
+}
+
+/// Between texels.
+fn f5<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    match Sampler::bilinear(TEXTURE) {
+        Ok(sampler) => {
+            draw(stage, probe, &Textured::new(sampler), &PLACES.map(|place| ((), place)))
+        }
+        Err(_) => Facts { bytes: 0, triangles: 0 },
+    }
+}
+
+/// Between texels, multiplied with an interpolated colour.
+fn f5m<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    match Sampler::bilinear(TEXTURE) {
+        Ok(sampler) => {
+            let shader = Textured::on(Gouraud::colored(), sampler);
+            let [a, b, c, d] = COLORS;
+            let [e, f, g, h] = PLACES;
+            draw(stage, probe, &shader, &[(a, e), (b, f), (c, g), (d, h)])
+        }
+        Err(_) => Facts { bytes: 0, triangles: 0 },
+    }
 }

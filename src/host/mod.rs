@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | pictures out | [`Tga`], written whole or not at all by [`AtomicFile`] |
 //! | models in | [`Model`] from `.asc`, from `.obj` with feature `tools`, and the bundled teapot |
+//! | smaller copies of a texture | [`mip_map`] |
 //! | the name of a picture | [`fnv1a64`] |
 //!
 //! Nothing here is part of a firmware: every item takes `std`, allocates, and reads or writes
@@ -13,11 +14,13 @@
 mod atomic_file;
 mod hash;
 mod mesh_data;
+mod mip_map;
 mod model;
 mod tga;
 
 pub use atomic_file::AtomicFile;
 pub use hash::{fnv1a64, fnv1a64_after, FNV1A64_START};
 pub use mesh_data::MeshData;
+pub use mip_map::mip_map;
 pub use model::{Bounds, Corner, Group, Material, Model, ModelError, ModelWarning};
 pub use tga::{Tga, TgaDepth, TgaError, TgaOrigin};

@@ -22,6 +22,8 @@ mod shader;
 mod smooth_color;
 mod solid;
 mod state;
+mod textured;
+mod unlit;
 mod uv;
 mod varying;
 mod vertex_colors;
@@ -54,6 +56,8 @@ pub use state::{
     Always, AnyDepth, Counter, Counting, DepthTest, Equal, Event, Greater, GreaterEqual, Less,
     LessEqual, NotEqual, Off, State, States, Stats, Uncounted,
 };
+pub use textured::Textured;
+pub use unlit::Unlit;
 pub use uv::{Uv, UvBase, UvPlanes, UvStep};
 pub use varying::{Corner, Stepped, Varying};
 pub use vertex_colors::VertexColors;

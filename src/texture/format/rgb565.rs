@@ -1,0 +1,42 @@
+use crate::color::{Color, Rgb565};
+use crate::texture::{PaletteEntry, TexelFormat, Weights};
+
+/// Bits are repeated: what goes into an RGB565 frame unchanged is the texel's own bits, and in
+/// RGBA8888 it is within one step of r/31, g/63, b/31.
+impl TexelFormat for Rgb565 {
+    type Word = u16;
+    type Palette = ();
+    type Texel = u16;
+
+    #[inline(always)]
+    fn fetch(words: &[u16], (): &(), index: usize) -> Option<u16> {
+        words.get(index).copied()
+    }
+
+    #[inline(always)]
+    fn decode(texel: u16) -> Color {
+        Self::decode(texel)
+    }
+
+    /// # Rounding
+    /// Channels keep all their bits under weights of 11: one 8-bit step, and what the place is off.
+    /// Four equal texels give what the nearest one gives.
+    #[inline(always)]
+    fn mix(texels: [u16; 4], weights: Weights) -> Color {
+        let (mut blue_red, mut green) = (0u32, 0u32);
+        for (texel, weight) in texels.into_iter().zip(weights.fine()) {
+            let texel = u32::from(texel);
+            // 5 bits of channel and 11 of weight are 16.
+            let pair = (texel & 31) << 16 | texel >> 11;
+            blue_red = blue_red.wrapping_add(pair.wrapping_mul(weight));
+            green = green.wrapping_add(((texel >> 5) & 63).wrapping_mul(weight));
+        }
+        // Bits are repeated as in `decode`: x 33/32 and x 65/64.
+        Color {
+            blue_red: blue_red.wrapping_add((blue_red >> 5) & 0x07FF_07FF),
+            green: (green << 15).wrapping_add(green << 9) | 0xFFFF,
+        }
+    }
+}
+
+impl PaletteEntry for Rgb565 {}

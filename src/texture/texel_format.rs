@@ -1,0 +1,77 @@
+use super::Weights;
+use crate::color::Color;
+
+/// How the texels of a [`Texture`](super::Texture) are stored.
+///
+/// A format of your own needs [`fetch`](Self::fetch) and [`decode`](Self::decode).
+pub trait TexelFormat {
+    /// What the texture's data consist of.
+    type Word: Copy + 'static;
+    /// What indices mean: an array, or `()` where texels stand for themselves.
+    type Palette: ?Sized + 'static;
+    /// One texel, still packed.
+    type Texel: Copy;
+
+    /// Texels in one word of the data; rows follow each other without a gap.
+    const TEXELS_PER_WORD: usize = 1;
+
+    /// Texel `index` of the data; `None` beyond its end, where no sampler reads.
+    fn fetch(words: &[Self::Word], palette: &Self::Palette, index: usize) -> Option<Self::Texel>;
+
+    /// The colour of a texel.
+    fn decode(texel: Self::Texel) -> Color;
+
+    /// The colour between the four texels of a square: upper left, upper right, lower left, lower
+    /// right.
+    ///
+    /// # Rounding
+    /// As provided here, the 8-bit channels of the decoded colours are mixed by 8-bit weights.
+    #[inline(always)]
+    fn mix(texels: [Self::Texel; 4], weights: Weights) -> Color {
+        mix_colors(texels.map(Self::decode), weights)
+    }
+}
+
+/// A format whose words may be the entries of a palette.
+pub trait PaletteEntry: TexelFormat<Palette = (), Texel = <Self as TexelFormat>::Word> {}
+
+/// Texels that are colours already; mostly for palettes.
+impl TexelFormat for Color {
+    type Word = Self;
+    type Palette = ();
+    type Texel = Self;
+
+    #[inline(always)]
+    fn fetch(words: &[Self], (): &(), index: usize) -> Option<Self> {
+        words.get(index).copied()
+    }
+
+    #[inline(always)]
+    fn decode(texel: Self) -> Self {
+        texel
+    }
+}
+
+impl PaletteEntry for Color {}
+
+/// Two bytes of each word, 16 bits apart.
+const BYTES: u32 = 0x00FF_00FF;
+
+/// Mixes two 8-bit channels a word into 8.8 ones, with the half that makes cutting off a rounding.
+#[inline(always)]
+pub(super) fn mix_bytes(words: [u32; 4], weights: Weights) -> u32 {
+    // At most 255 x 256 + 128 a channel: none runs into its neighbour.
+    let weighted = words.iter().zip(weights.bytes());
+    weighted.fold(0x0080_0080, |sum, (word, weight)| {
+        sum.wrapping_add((word & BYTES).wrapping_mul(weight))
+    })
+}
+
+/// Mixes decoded colours with their alphas.
+#[inline(always)]
+fn mix_colors(colors: [Color; 4], weights: Weights) -> Color {
+    let blue_red = mix_bytes(colors.map(|color| color.blue_red >> 8), weights);
+    let green_alpha = mix_bytes(colors.map(|color| color.green >> 8), weights);
+    // Full alpha is all ones.
+    Color { blue_red, green: green_alpha | 0x7F }
+}

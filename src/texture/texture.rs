@@ -1,0 +1,126 @@
+use super::{TexelFormat, TextureError};
+use crate::color::Rgb565;
+
+/// A picture in memory of the caller's: borrowed, never copied.
+///
+/// ```
+/// use microraster::texture::{Texture, TextureError};
+/// use microraster::Rgb565;
+///
+/// // In flash: the size is checked when the program is built.
+/// static CHECKS: [u16; 4] = [0xFFFF, 0xF800, 0xF800, 0xFFFF];
+/// static TEXTURE: Texture<'_, Rgb565> = match Texture::new(&CHECKS, 2, 2) {
+///     Ok(texture) => texture,
+///     Err(_) => panic!("the size fits the data"),
+/// };
+/// assert_eq!((TEXTURE.width(), TEXTURE.height()), (2, 2));
+/// let short = Texture::<Rgb565>::new(&CHECKS, 4, 2);
+/// assert_eq!(short.err(), Some(TextureError::Length { needed: 8, got: 4 }));
+/// ```
+pub struct Texture<'a, T: TexelFormat = Rgb565> {
+    words: &'a [T::Word],
+    palette: &'a T::Palette,
+    width: u16,
+    height: u16,
+}
+
+impl<T: TexelFormat> Clone for Texture<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T: TexelFormat> Copy for Texture<'_, T> {}
+
+impl<T: TexelFormat> core::fmt::Debug for Texture<'_, T> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Texture")
+            .field("width", &self.width)
+            .field("height", &self.height)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'a, T: TexelFormat<Palette = ()>> Texture<'a, T> {
+    /// A picture of `width` x `height` texels, the upper left one first, row by row.
+    ///
+    /// # Errors
+    /// As [`with_palette`](Self::with_palette).
+    pub const fn new(words: &'a [T::Word], width: u16, height: u16) -> Result<Self, TextureError> {
+        Self::with_palette(words, &(), width, height)
+    }
+}
+
+impl<'a, T: TexelFormat> Texture<'a, T> {
+    /// The longest side, in texels.
+    pub const MAX_SIDE: u16 = 4096;
+
+    /// A picture whose texels are indices into `palette`.
+    ///
+    /// # Errors
+    /// [`TextureError::Empty`] and [`TextureError::TooLarge`] for sides outside of
+    /// 1 to [`MAX_SIDE`](Self::MAX_SIDE), [`TextureError::Length`] where `words` are too few. Words
+    /// beyond the picture are allowed and never read.
+    pub const fn with_palette(
+        words: &'a [T::Word],
+        palette: &'a T::Palette,
+        width: u16,
+        height: u16,
+    ) -> Result<Self, TextureError> {
+        if width == 0 || height == 0 {
+            return Err(TextureError::Empty);
+        }
+        if width > Self::MAX_SIDE {
+            return Err(TextureError::TooLarge { got: width });
+        }
+        if height > Self::MAX_SIDE {
+            return Err(TextureError::TooLarge { got: height });
+        }
+        let needed = (width as usize * height as usize).div_ceil(T::TEXELS_PER_WORD);
+        if words.len() < needed {
+            return Err(TextureError::Length { needed, got: words.len() });
+        }
+        Ok(Self { words, palette, width, height })
+    }
+
+    /// The same where all of that is known.
+    pub(super) const fn checked(
+        words: &'a [T::Word],
+        palette: &'a T::Palette,
+        width: u16,
+        height: u16,
+    ) -> Self {
+        Self { words, palette, width, height }
+    }
+
+    /// Texels in a row.
+    pub const fn width(&self) -> u16 {
+        self.width
+    }
+
+    /// Rows.
+    pub const fn height(&self) -> u16 {
+        self.height
+    }
+
+    /// The data as they were given.
+    pub(super) const fn words(&self) -> &'a [T::Word] {
+        self.words
+    }
+
+    /// What indices mean.
+    pub(super) const fn palette(&self) -> &'a T::Palette {
+        self.palette
+    }
+
+    /// Whether both sides are powers of two.
+    pub(super) const fn has_power_of_two_sides(&self) -> bool {
+        self.width.is_power_of_two() && self.height.is_power_of_two()
+    }
+
+    /// Texel `index`, row by row, still packed; `None` beyond the data.
+    #[inline(always)]
+    pub(super) fn texel(&self, index: u32) -> Option<T::Texel> {
+        T::fetch(self.words, self.palette, index as usize)
+    }
+}

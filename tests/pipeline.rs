@@ -119,7 +119,7 @@ fn statistics_sum_up_and_ordinary_scenes_skip_nothing() {
 /// Draws a triangle with a mesh matrix; what was counted.
 fn count(
     model: &Mat4,
-    mesh: &Mesh<'_, Rgb, impl Topology>,
+    mesh: &Mesh<'_, Rgb, impl Topology<Primitive = [u32; 3]>>,
     camera: &Camera,
     viewport: Option<Rect>,
 ) -> Stats {

@@ -21,7 +21,7 @@ pub(super) struct Fill<'a, V: Varying> {
 
 /// The plane of the depth codes: 16.16, raised by a half so that cutting off rounds.
 #[inline(always)]
-fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
+pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
     let [a, b, c] = &triangle.v;
     let mut plane = gradients.plane(a.z, b.z, c.z);
     plane.origin = plane.origin.wrapping_add(0x8000);
@@ -30,7 +30,7 @@ fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
 
 /// The same where nothing else is interpolated: a triangle of one depth needs no gradients.
 #[inline(never)]
-fn lone_depth_plane(triangle: &Triangle) -> Plane {
+pub(super) fn lone_depth_plane(triangle: &Triangle) -> Plane {
     let [a, b, c] = &triangle.v;
     if a.z == b.z && a.z == c.z {
         return Plane { origin: u32::from(a.z) << 16 | 0x8000, dx: 0, dy: 0 };

@@ -14,6 +14,7 @@ mod gouraud;
 mod interpolated;
 mod lighting;
 mod perspective;
+mod point_coordinates;
 mod row;
 mod scalar;
 mod scalars;
@@ -44,6 +45,7 @@ pub use perspective::{
     PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, Subspan,
     SubspanValue,
 };
+pub use point_coordinates::PointCoordinates;
 pub use row::Row;
 pub use scalar::Scalar;
 pub use scalars::{Scalars, ScalarsPlanes};

@@ -11,7 +11,8 @@ use microraster::math::{Mat4, Vec4};
 use microraster::raster::{ScreenVertex, SUBPIXELS};
 use microraster::{
     AnyDepth, Camera, Clip, Color, Cull, DepthBuffer, DrawContext, Flat, Frame, Gouraud, Mesh,
-    Pass, Rgb16, Rgba8888, ScreenPass, Shader, Size, SmoothColor, Stats, VertexInput, Winding,
+    Pass, Rgb16, Rgba8888, ScreenPass, Shader, Size, SmoothColor, Stats, Thin, VertexInput,
+    Winding,
 };
 
 use crate::expected::{Coverage, Expected};
@@ -165,7 +166,7 @@ fn draw_primitive(
     match (corners, flat) {
         ([a, b, c], true) => pass.triangle(frame, &Flat::colored(), &[a, b, c].map(vertex)),
         ([a, b, c], false) => pass.triangle(frame, &Gouraud::colored(), &[a, b, c].map(vertex)),
-        ([a, b], _) => pass.lines(frame, &Gouraud::colored(), &[[a, b].map(vertex)]),
+        ([a, b], _) => pass.lines(frame, &Gouraud::colored(), Thin, &[[a, b].map(vertex)]),
         _ => {
             let size = draw.setting("point_size").parse().expect("a whole size");
             pass.points(frame, &Gouraud::colored(), size, &[vertex(&corners[0])]);

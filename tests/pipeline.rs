@@ -343,7 +343,7 @@ impl Shader for Chequered {
         *vertex.attributes
     }
 
-    fn fragment(&self, (x, y): &(Scalar, Scalar)) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, (x, y): &(Scalar, Scalar)) -> Option<Color> {
         (x.get() / 16 + y.get() / 16).is_multiple_of(2).then(|| Rgb::WHITE.into())
     }
 }

@@ -46,7 +46,7 @@ impl Shader for Coordinates {
 
     fn vertex(&self, (): &(), _: VertexInput<'_, ()>) -> Corner<PointCoordinates> {}
 
-    fn fragment(&self, at: &PointCoordinates) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, at: &PointCoordinates) -> Option<Color> {
         let byte = |v: i32| {
             assert!((0..=PointCoordinates::ONE).contains(&v), "in range: {v}");
             (v >> 20).clamp(0, 255) as u8

@@ -3,7 +3,7 @@ use crate::frame::{DepthAccess, Frame, Supplies};
 use crate::raster::{
     Gradients, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
 };
-use crate::shade::{ColorOutput, Corner, DepthTest, Row, Shader, State, Varying};
+use crate::shade::{ColorOutput, Corner, DepthTest, Fragments, Row, State, Varying};
 
 /// How a state touches depth.
 pub(crate) type Access<S> = <<S as State>::Depth as DepthTest>::Access;
@@ -97,7 +97,7 @@ impl<V: Varying> Fill<'_, V> {
         batch: &mut SpanBatch,
     ) where
         W: SpanWalk,
-        H: Shader<Varying = V>,
+        H: Fragments<Varying = V>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,
@@ -176,7 +176,7 @@ impl<V: Varying> Ready<'_, V> {
         shader: &H,
     ) -> Option<()>
     where
-        H: Shader<Varying = V>,
+        H: Fragments<Varying = V>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

@@ -11,8 +11,8 @@ use crate::math::Mat4;
 use crate::raster::{SpanBatch, Traversal, GUARD, SUBPIXELS};
 use crate::scene::{Camera, Mesh, Topology, Vertices};
 use crate::shade::{
-    Blend, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event, Output,
-    Shader, State, States, Stats, Varying, VertexInput,
+    Blend, Bound, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event,
+    Output, Shader, State, States, Stats, Varying, VertexInput,
 };
 
 /// Draws meshes: a camera, and the state in which triangles are drawn.
@@ -360,7 +360,7 @@ fn w<P: Positions>(positions: &P, index: u32) -> i32 {
 #[derive(Debug)]
 pub(super) struct Draw<'a, H: Shader> {
     pub(super) vertices: &'a Vertices<'a, H::Vertex>,
-    pub(super) shader: &'a H,
+    shader: &'a H,
     prepared: &'a H::Prepared,
 }
 
@@ -372,6 +372,12 @@ impl<H: Shader> Positions for Draw<'_, H> {
 }
 
 impl<H: Shader> Draw<'_, H> {
+    /// What draws pixels.
+    #[inline(always)]
+    pub(super) fn bound(&self) -> Bound<'_, H> {
+        Bound { shader: self.shader, prepared: self.prepared }
+    }
+
     #[inline(always)]
     fn run<P, T, S, F, D>(
         &self,
@@ -418,7 +424,7 @@ impl<H: Shader> Draw<'_, H> {
             Fill { triangle: &face.triangle, corners: &corners, provoking: &provoking }.draw(
                 frame,
                 state,
-                self.shader,
+                &self.bound(),
                 &mut walk,
                 &mut batch,
             );

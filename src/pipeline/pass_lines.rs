@@ -239,7 +239,7 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
             };
         }
         let line = LineDraw { ends, corners: &corners, provoking: &first, area: *area, before };
-        style.draw(&line, frame, state, self.draw.shader)
+        style.draw(&line, frame, state, &self.draw.bound())
     }
 
     /// Why nothing of a triangle is drawn, not even its edges or corners; `None` if it is.

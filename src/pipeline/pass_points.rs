@@ -198,7 +198,7 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
         }
         let corner: Option<Corner<H::Varying>> = draw.made(attribute, index, *positions);
         let Some(corner) = corner else { return Event::Skipped };
-        draw_point(&place, &corner, size, area, frame, state, draw.shader)
+        draw_point(&place, &corner, size, area, frame, state, &draw.bound())
     }
 }
 

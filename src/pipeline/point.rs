@@ -4,7 +4,7 @@ use super::fill::Access;
 use crate::color::Format;
 use crate::frame::{DepthAccess, Frame, Rect, Size, Supplies};
 use crate::raster::{PointSquare, ScreenVertex};
-use crate::shade::{Corner, Counter, Event, Row, Shader, State, Varying};
+use crate::shade::{Corner, Counter, Event, Fragments, Row, State, Varying};
 
 /// Draws a point of `size` sixteenths of a pixel.
 #[inline(always)]
@@ -18,7 +18,7 @@ pub(super) fn draw_point<H, S, F, D>(
     shader: &H,
 ) -> Event
 where
-    H: Shader,
+    H: Fragments,
     S: State,
     F: Format,
     D: Supplies<Access<S>>,
@@ -80,7 +80,7 @@ pub(super) fn single_points<'t, H, S, F, D>(
     area: &Rect,
     points: impl IntoIterator<Item = &'t (ScreenVertex, Corner<H::Varying>)>,
 ) where
-    H: Shader,
+    H: Fragments,
     H::Varying: 't,
     S: State,
     F: Format,

@@ -3,13 +3,14 @@ use super::line::{LineDraw, Outcome};
 use super::point::{draw_point, has_one_stride, single_points};
 use super::{Cull, CulledWindings, LineStyle, Winding};
 use crate::color::Format;
-use crate::frame::{Frame, Supplies};
+use crate::frame::{Frame, Size, Supplies};
+use crate::math::{Mat4, Vec3};
 #[cfg(doc)]
 use crate::raster::PointSquare;
 use crate::raster::{ScreenVertex, SpanBatch, Traversal, Triangle};
 use crate::shade::{
-    Blend, ColorMask, Corner, Counter, Counting, DepthTest, Dither, Event, Output, Shader, State,
-    States, Stats,
+    Blend, Bound, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event,
+    Fragments, Output, Shader, State, States, Stats,
 };
 
 /// A corner on the screen and what shader `H` interpolates from it.
@@ -18,7 +19,8 @@ pub type ShadedVertex<H> = (ScreenVertex, Corner<<H as Shader>::Varying>);
 /// Draws primitives that are in screen space already: below the vertex stage, with the same state,
 /// shaders and pixel loop.
 ///
-/// Corners come with their varyings; a shader's `prepare` and `vertex` are not called. Coordinates
+/// Corners come with their varyings; a shader's `vertex` is not called, and its `prepare` sees no
+/// matrices but those that change nothing. Coordinates
 /// may reach 4096 pixels from the picture's centre; primitives beyond are skipped and counted.
 ///
 /// ```
@@ -166,8 +168,10 @@ impl<S: State> ScreenPass<S> {
         F: Format,
         D: Supplies<Access<S>>,
     {
+        let prepared = &shader.prepare(&context(frame.picture()));
+        let bound = &Bound { shader, prepared };
         for [a, b] in lines {
-            self.line(frame, shader, style, [a, b], 0);
+            self.line(frame, bound, style, [a, b], 0);
         }
     }
 
@@ -185,11 +189,13 @@ impl<S: State> ScreenPass<S> {
         F: Format,
         D: Supplies<Access<S>>,
     {
+        let prepared = &shader.prepare(&context(frame.picture()));
+        let bound = &Bound { shader, prepared };
         let mut corners = corners.into_iter();
         let Some(mut a) = corners.next() else { return };
         let mut before = 0_u32;
         for b in corners {
-            before = before.wrapping_add(self.line(frame, shader, style, [a, b], before));
+            before = before.wrapping_add(self.line(frame, bound, style, [a, b], before));
             a = b;
         }
     }
@@ -201,11 +207,11 @@ impl<S: State> ScreenPass<S> {
         frame: &mut Frame<'_, F, D>,
         shader: &H,
         style: impl LineStyle,
-        [(a, p), (b, q)]: [&ShadedVertex<H>; 2],
+        [(a, p), (b, q)]: [&(ScreenVertex, Corner<H::Varying>); 2],
         before: u32,
     ) -> u32
     where
-        H: Shader,
+        H: Fragments,
         F: Format,
         D: Supplies<Access<S>>,
     {
@@ -238,16 +244,18 @@ impl<S: State> ScreenPass<S> {
         D: Supplies<Access<S>>,
     {
         let (area, picture) = (frame.scissor(), frame.picture());
+        let prepared = &shader.prepare(&context(picture));
+        let bound = &Bound { shader, prepared };
         let state = &mut self.state;
         if size == 1 && has_one_stride::<S, F, D>(frame) {
-            single_points(frame, state, shader, picture, &area, points);
+            single_points(frame, state, bound, picture, &area, points);
             return;
         }
         let size = u32::from(size).wrapping_mul(16);
         for (vertex, corner) in points {
             state.counter().event(Event::Point);
             let event = if vertex.in_range(picture) {
-                draw_point(vertex, corner, size, &area, frame, state, shader)
+                draw_point(vertex, corner, size, &area, frame, state, bound)
             } else {
                 Event::Skipped
             };
@@ -272,6 +280,8 @@ impl<S: State> ScreenPass<S> {
         F: Format,
         D: Supplies<Access<S>>,
     {
+        let prepared = &shader.prepare(&context(frame.picture()));
+        let bound = &Bound { shader, prepared };
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         let culled = CulledWindings::new(self.cull, self.front);
         let area = frame.scissor();
@@ -302,10 +312,17 @@ impl<S: State> ScreenPass<S> {
             Fill { triangle, corners: &ordered, provoking: p }.draw(
                 frame,
                 &mut self.state,
-                shader,
+                bound,
                 &mut walk,
                 &mut batch,
             );
         }
     }
+}
+
+/// What a shader sees of a draw without a camera: the screen, and matrices that change nothing.
+fn context(viewport: Size) -> DrawContext {
+    let none = Mat4::identity();
+    let (scale, offset) = (Vec3::ONE, Vec3::ZERO);
+    DrawContext { model: none, view: none, projection: none, scale, offset, viewport }
 }

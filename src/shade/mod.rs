@@ -49,7 +49,8 @@ pub use point_coordinates::PointCoordinates;
 pub use row::Row;
 pub use scalar::Scalar;
 pub use scalars::{Scalars, ScalarsPlanes};
-pub use shader::{DrawContext, Shader, VertexInput};
+pub(crate) use shader::Bound;
+pub use shader::{DrawContext, Fragments, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
 pub use state::{

@@ -37,7 +37,7 @@ impl Shader for ClipShader {
         vertex.attributes.1
     }
 
-    fn fragment(&self, varying: &SmoothColor) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, varying: &SmoothColor) -> Option<Color> {
         Some(varying.color())
     }
 }

@@ -149,7 +149,7 @@ impl Shader for Round {
         (Color::new(0, 0, 0), ())
     }
 
-    fn fragment(&self, (color, at): &Self::Varying) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, (color, at): &Self::Varying) -> Option<Color> {
         (at.radius_squared() < 1 << 26).then(|| color.color())
     }
 }

@@ -3,7 +3,7 @@ use super::stroke::{Continuous, LineDraw, Outcome, Replicated};
 use super::LineStyle;
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::shade::{Shader, State};
+use crate::shade::{Fragments, State};
 
 /// Lines one pixel wide between whole pixels, those that hold the corners: the cheap variant where
 /// ends need not be finer.
@@ -28,7 +28,7 @@ impl LineStyle for Midpoint {
         shader: &H,
     ) -> Outcome
     where
-        H: Shader,
+        H: Fragments,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

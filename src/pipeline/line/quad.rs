@@ -5,7 +5,7 @@ use crate::color::Format;
 use crate::frame::{Frame, Rect, Supplies};
 use crate::math::{inverse_sqrt, InverseSqrt};
 use crate::raster::{ScreenVertex, SpanBatch, Traversal, Triangle, GUARD, SUBPIXELS};
-use crate::shade::{Corner, Shader, State};
+use crate::shade::{Corner, Fragments, State};
 
 // Rectangles reach as far beyond the square of corners as half the widest line, and edge values
 // still leave the sign bit of an i32 alone.
@@ -84,7 +84,7 @@ impl Quad {
         shader: &H,
     ) -> bool
     where
-        H: Shader,
+        H: Fragments,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

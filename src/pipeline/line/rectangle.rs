@@ -4,7 +4,7 @@ use super::stroke::{LineDraw, Outcome};
 use super::{LineStyle, Wide};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::shade::{Event, Shader, State};
+use crate::shade::{Event, Fragments, State};
 
 /// Lines of some width as true rectangles, as wide in every direction and square at their ends: the
 /// better variant of [`Wide`].
@@ -32,7 +32,7 @@ impl LineStyle for Rectangle {
         shader: &H,
     ) -> Outcome
     where
-        H: Shader,
+        H: Fragments,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

@@ -4,7 +4,7 @@ use super::stroke::{LineDraw, Outcome};
 use super::{LineStyle, Wide};
 use crate::color::{Color, Format};
 use crate::frame::{Frame, Supplies};
-use crate::shade::{Corner, DrawContext, Event, Scalar, Shader, State, VertexInput};
+use crate::shade::{Event, Fragments, Row, Scalar, State};
 
 /// Anti-aliased lines of some width: how much of a pixel the line covers, by the distance of its
 /// centre from the line, is multiplied with the colour's alpha. So they want a state that blends
@@ -42,7 +42,7 @@ impl LineStyle for Smooth {
         shader: &H,
     ) -> Outcome
     where
-        H: Shader,
+        H: Fragments,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,
@@ -73,21 +73,13 @@ struct Covered<'a, H> {
     reach: i32,
 }
 
-impl<H: Shader> Shader for Covered<'_, H> {
-    type Vertex = H::Vertex;
+impl<H: Fragments> Fragments for Covered<'_, H> {
     type Varying = (H::Varying, Scalar);
-    type Prepared = H::Prepared;
+    const COLOR_AS_IS: bool = false;
 
-    fn prepare(&self, draw: &DrawContext) -> H::Prepared {
-        self.shader.prepare(draw)
-    }
-
-    fn vertex(
-        &self,
-        prepared: &H::Prepared,
-        vertex: VertexInput<'_, H::Vertex>,
-    ) -> Corner<Self::Varying> {
-        (self.shader.vertex(prepared, vertex), 0)
+    #[inline(always)]
+    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, Self::Varying>) {
+        row.each(|varying| self.fragment(varying));
     }
 
     #[inline(always)]

@@ -3,7 +3,7 @@ use super::stroke::{LineDraw, Outcome, Pattern, Replicated};
 use super::LineStyle;
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::shade::{Shader, State};
+use crate::shade::{Fragments, State};
 
 /// Lines with gaps: a pattern of sixteen bits, from the lowest one up, each for `factor` pixels
 /// along the line.
@@ -45,7 +45,7 @@ impl<L: Replicated> LineStyle for Stippled<L> {
         shader: &H,
     ) -> Outcome
     where
-        H: Shader,
+        H: Fragments,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

@@ -7,7 +7,7 @@ use crate::raster::{
     limited, plane_triangle, Gradients, Line, MidpointPath, Path, Pixel, Plane, PointSquare,
     ScreenVertex, Span, Steps,
 };
-use crate::shade::{Corner, Event, Row, Shader, State, Varying};
+use crate::shade::{Corner, Event, Fragments, Row, State, Varying};
 
 /// A line to be drawn.
 pub struct LineDraw<'a, V: Varying> {
@@ -82,7 +82,7 @@ pub trait Replicated: Copy {
         shader: &H,
     ) -> Outcome
     where
-        H: Shader,
+        H: Fragments,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,
@@ -149,7 +149,7 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
     #[inline(never)]
     fn draw<H, S, F, D>(&self, frame: &mut Frame<'_, F, D>, state: &mut S, shader: &H) -> Outcome
     where
-        H: Shader<Varying = V>,
+        H: Fragments<Varying = V>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,
@@ -280,7 +280,7 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
         state: &mut S,
         shader: &H,
     ) where
-        H: Shader<Varying = V>,
+        H: Fragments<Varying = V>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

@@ -2,7 +2,7 @@ use super::super::fill::Access;
 use super::stroke::{LineDraw, Outcome};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::shade::{Shader, State};
+use crate::shade::{Fragments, State};
 
 /// What lines look like: [`Thin`](super::Thin), [`Midpoint`](super::Midpoint),
 /// [`Wide`](super::Wide), one of these [`Stippled`](super::Stippled),
@@ -20,7 +20,7 @@ pub trait LineStyle: Copy {
         shader: &H,
     ) -> Outcome
     where
-        H: Shader,
+        H: Fragments,
         S: State,
         F: Format,
         D: Supplies<Access<S>>;

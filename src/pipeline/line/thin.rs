@@ -3,7 +3,7 @@ use super::stroke::{Continuous, LineDraw, Outcome, Replicated};
 use super::LineStyle;
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::shade::{Shader, State};
+use crate::shade::{Fragments, State};
 
 /// Lines one pixel wide by the diamond-exit rule: of a chain of lines every joint is drawn once.
 ///
@@ -27,7 +27,7 @@ impl LineStyle for Thin {
         shader: &H,
     ) -> Outcome
     where
-        H: Shader,
+        H: Fragments,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

@@ -3,7 +3,7 @@ use super::stroke::{Continuous, LineDraw, Outcome, Replicated};
 use super::LineStyle;
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::shade::{Shader, State};
+use crate::shade::{Fragments, State};
 
 /// Lines of some width as OpenGL has them: the pixels of a [`Thin`](super::Thin) line, replicated
 /// across its longer side, so that slanting lines are thinner than they should be and ends are not
@@ -37,7 +37,7 @@ impl LineStyle for Wide {
         shader: &H,
     ) -> Outcome
     where
-        H: Shader,
+        H: Fragments,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

@@ -61,11 +61,11 @@ pub use shade::{
     ColorOutput, Coloring, Constant, ConstantAlpha, ConstantDepth, Corner, Counter, Counting,
     DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat,
     FlatColor, Fog, Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual,
-    LightKind, Lighting, Multiply, NotEqual, Off, Output, Perspective, PerspectiveCorner,
-    PerspectiveMode, PerspectiveVarying, PointCoordinates, PolygonOffset, Premultiplied, ReadOnly,
-    Replace, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats, Stepped,
-    Subtract, Surface, Textured, Tinted, Uncounted, Undithered, Unlit, Uv, UvStep, Varying,
-    VertexColors, VertexInput,
+    LightKind, Lighting, Matcap, Multiply, NotEqual, Off, Output, Perspective, PerspectiveCorner,
+    PerspectiveMode, PerspectiveVarying, Phong, PointCoordinates, PolygonOffset, Premultiplied,
+    ReadOnly, Replace, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats,
+    Stepped, Subtract, Surface, Textured, Tinted, Uncounted, Undithered, Unlit, Uv, UvStep,
+    Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -13,7 +13,9 @@ mod fogged;
 mod gouraud;
 mod interpolated;
 mod lighting;
+mod matcap;
 mod perspective;
+mod phong;
 mod point_coordinates;
 mod row;
 mod scalar;
@@ -40,11 +42,13 @@ pub use lighting::{
     Beam, BlinnPhong, Lambert, LightKind, Lighting, PreparedAnyLight, PreparedBlinnPhong,
     PreparedLambert, PreparedPoint, PreparedSpot, Surface, Tinted,
 };
+pub use matcap::Matcap;
 pub use perspective::{
     Adaptive, Affine, AffineValue, Every, Exact, ExactStep, ExactValue, Interval, Perspective,
     PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, Subspan,
     SubspanValue,
 };
+pub use phong::Phong;
 pub use point_coordinates::PointCoordinates;
 pub use row::Row;
 pub use scalar::Scalar;

@@ -11,7 +11,7 @@ pub(crate) fn draw(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, st
     frame.clear(Rgb::new(8, 10, 18));
     // The shorter side of the window is the demo's: 2 at distance 5.
     let camera = Camera::perspective(22.62.degrees(), 5.0);
-    let view = Mat4::translation(Vec3::new(0.0, 0.0, -40.0))
+    let view = Mat4::translation(Vec3::new(0.9, 0.0, -40.0))
         * Mat4::rotation_x(20.0.degrees())
         * Mat4::rotation_y(30.0.degrees());
     let mut gear = |mesh: &Mesh<'_, _, _>, color, x, y, angle: f32| {

@@ -3,7 +3,18 @@
 //! Each is one function that needs neither `std` nor a heap. The host program `gallery`, the
 //! firmware and the tests include this folder, so that all of them draw from the same source.
 
+pub(crate) mod attitude;
+pub(crate) mod cloud;
+pub(crate) mod deferred;
+pub(crate) mod font;
 pub(crate) mod gears;
+pub(crate) mod glass;
+pub(crate) mod logo;
+pub(crate) mod shadow;
+pub(crate) mod shapes;
+pub(crate) mod smooth;
+pub(crate) mod terrain;
+pub(crate) mod wireframe;
 
 use microraster::{DepthBuffer, Frame, FrameError, Rgb565, Size, Stats};
 
@@ -50,17 +61,78 @@ pub(crate) struct Picture {
 }
 
 const FULL: Size = Size::new(320, 240);
+const SMALL: Size = Size::new(128, 64);
+
+/// A picture that wants a frame with depth, and no more.
+macro_rules! picture {
+    ($name:literal, $about:literal, $size:expr, $turn:literal, $draw:expr) => {
+        Picture {
+            name: $name,
+            about: $about,
+            size: $size,
+            turn: $turn,
+            draw: |canvas, turn, stats| {
+                $draw(&mut canvas.frame()?, turn, stats);
+                Ok(())
+            },
+        }
+    };
+}
 
 /// All of them.
-pub(crate) const PICTURES: [Picture; 1] = [
+pub(crate) const PICTURES: [Picture; 11] = [
+    picture!("gears", "three turning gears, in strips", FULL, 0.0, gears::draw),
+    picture!("logo", "a spinning box with a textured logo and text", FULL, 32.0, logo::draw),
+    picture!("attitude", "a board at roll, pitch and yaw, with its axes", FULL, 0.0, tumbling),
+    picture!("attitude-small", "the same on 128x64 pixels", SMALL, 0.0, tumbling),
+    picture!("cloud", "a point cloud of 20 000 points, by distance", FULL, 0.0, cloud::draw),
+    picture!("terrain", "hills from a height map, under fog", FULL, 30.0, terrain::draw),
+    picture!("shadow", "a teapot's shadow on a floor", FULL, 20.0, shadow::draw),
+    picture!("wireframe", "edges without those that are hidden", FULL, 25.0, wireframe::draw),
+    picture!("glass", "balls of glass around a teapot, sorted", FULL, 15.0, glass::draw),
     Picture {
-        name: "gears",
-        about: "three turning gears, in strips",
+        name: "deferred",
+        about: "what is visible first, its colour later",
         size: FULL,
         turn: 0.0,
         draw: |canvas, turn, stats| {
-            gears::draw(&mut canvas.frame()?, turn, stats);
+            let Canvas { picture, pixels, depth, words, .. } = canvas;
+            let width = usize::from(picture.width);
+            let attributes = bytemuck::cast_slice_mut(words);
+            // As many rows at a time as there is memory for.
+            let rows = (WORDS / width) as u16;
+            let bands = (canvas.first_row..canvas.first_row + canvas.rows).step_by(rows.into());
+            for (first, pixels) in bands.zip(pixels.chunks_mut(width * usize::from(rows))) {
+                let rows = rows.min(canvas.first_row + canvas.rows - first);
+                let band = (*picture, first, rows);
+                deferred::draw(pixels, attributes, depth, band, turn, stats)?;
+            }
             Ok(())
         },
     },
+    Picture {
+        name: "smooth",
+        about: "1, 4 and 16 samples a pixel, and smooth lines",
+        size: FULL,
+        turn: 4.0,
+        draw: |canvas, turn, stats| {
+            let Canvas { picture, first_row, rows, pixels, depth, words } = canvas;
+            let size = Size::new(picture.width, *rows);
+            let frame = Frame::new(pixels, size)?.with_depth(depth)?;
+            let mut frame = frame.band(*first_row, picture.height)?;
+            let (samples, codes) = words.split_at_mut(WORDS / 3 * 2);
+            smooth::draw(&mut frame, samples, bytemuck::cast_slice_mut(codes), turn, stats)
+        },
+    },
 ];
+
+/// The board, tumbling.
+fn tumbling(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, stats: &mut Stats) {
+    let (sin, cos) = microraster::math::Angle::from_degrees(turn).sin_cos();
+    let attitude = attitude::Attitude {
+        roll: 20.0 * cos - 30.0 * sin,
+        pitch: -14.0 * cos,
+        yaw: 32.0 * cos + 10.0 * sin,
+    };
+    attitude::draw(frame, attitude, stats);
+}

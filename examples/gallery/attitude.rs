@@ -1,6 +1,6 @@
 //! The attitude of an inertial sensor: a board that rolls, pitches and yaws, with its axes.
 
-use microraster::math::{AngleUnits, Mat4, Vec3};
+use microraster::math::{AngleUnits, Mat4, Vec3, Vec4};
 use microraster::{
     Camera, Consecutive, Cull, DepthBuffer, Flat, Frame, Gouraud, Lambert, Less, LessEqual, Light,
     LineList, Mesh, Normal, Pass, Rgb, Rgb565, Stats, Tinted, Wide,
@@ -34,8 +34,8 @@ pub(crate) fn draw(
 ) {
     frame.clear(Rgb::new(10, 14, 24));
     let camera = Camera::perspective(36.0.degrees(), 0.5).look_at(
-        Vec3::new(-3.6, 2.4, 2.2),
-        Vec3::new(0.1, 0.0, 0.0),
+        Vec3::new(-2.6, -3.2, 2.3),
+        Vec3::new(0.25, 0.1, 0.05),
         Vec3::Z,
     );
     let is_large = frame.picture().height >= 160;
@@ -46,17 +46,11 @@ pub(crate) fn draw(
         .with_topology(LineList::new(Consecutive::new(GRID.len())))
         .placed(Vec3::splat(0.5), Vec3::new(0.0, 0.0, -0.9));
     let mut pass = Pass::new(&camera).depth(Less).count(stats);
-    pass.draw_lines(
-        frame,
-        &Mat4::identity(),
-        &plane,
-        &Flat::solid(Rgb::new(44, 60, 84)),
-        Wide(1),
-    );
+    pass.draw_lines(frame, &Mat4::identity(), &plane, &Flat::solid(Rgb::new(44, 60, 84)), Wide(1));
 
     let model = attitude.matrix();
-    let sun = Light::directional(Vec3::new(0.6, -0.3, -1.0), Rgb::new(170, 170, 170));
-    let light = Lambert::new(&[sun]).ambient(Rgb::new(110, 110, 110));
+    let sun = Light::directional(Vec3::new(0.5, 0.9, -1.0), Rgb::new(130, 130, 130));
+    let light = Lambert::new(&[sun]).ambient(Rgb::new(150, 150, 150));
     let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less).count(stats);
     let board = Mesh::new(&BOARD, &SIDES).by_face().indexed(&INDICES).placed(BOX, Vec3::ZERO);
     pass.draw(frame, &model, &board, &Flat::new(Tinted(light)));
@@ -66,6 +60,23 @@ pub(crate) fn draw(
         .placed(Vec3::splat(0.1), Vec3::ZERO);
     let mut pass = Pass::new(&camera).depth(LessEqual).count(stats);
     pass.draw_lines(frame, &model, &axes, &Gouraud::colored(), Wide(width));
+
+    // Letters at the tips, turned to the viewer: by the rows of the camera's own rotation.
+    let rows = camera.view().transpose();
+    let [right, up, back] = [rows.x, rows.y, rows.z].map(|row| row.truncate().extend(0.0));
+    let to_viewer = Mat4::from_columns(right, up, back, Vec4::W);
+    let tips = [
+        (Vec3::X * 1.85, &X[..], RED),
+        (Vec3::Y * 1.6, &Y[..], GREEN),
+        (Vec3::Z * 1.5, &Z[..], BLUE),
+    ];
+    for (tip, letter, color) in tips {
+        let letter = Mesh::new(letter, &[(); 6])
+            .with_topology(LineList::new(Consecutive::new(letter.len())))
+            .placed(Vec3::splat(0.045), Vec3::ZERO);
+        let place = Mat4::translation(model.transform_point(tip)) * to_viewer;
+        pass.draw_lines(frame, &place, &letter, &Flat::solid(color), Wide(width));
+    }
 
     let dot = if is_large { 2 } else { 1 };
     let Attitude { roll, pitch, yaw } = attitude;
@@ -80,7 +91,10 @@ const RED: Rgb = Rgb::new(255, 70, 60);
 const GREEN: Rgb = Rgb::new(80, 230, 90);
 const BLUE: Rgb = Rgb::new(90, 150, 255);
 const GOLD: Rgb = Rgb::new(250, 200, 70);
-const DARK: Rgb = Rgb::new(60, 74, 96);
+/// The sides that look backwards along their axes.
+const DARK_RED: Rgb = Rgb::new(150, 52, 52);
+const DARK_GREEN: Rgb = Rgb::new(44, 130, 66);
+const DARK_BLUE: Rgb = Rgb::new(44, 70, 150);
 
 /// A letter, a sign and three digits.
 #[allow(clippy::cast_possible_truncation, reason = "a float cast saturates, digits are below 10")]
@@ -92,7 +106,7 @@ fn label(name: u8, degrees: f32) -> [u8; 5] {
 }
 
 /// Half the board's sides, 32767 being a step's most.
-const BOX: Vec3 = Vec3::new(0.85 / 32_767.0, 0.6 / 32_767.0, 0.14 / 32_767.0);
+const BOX: Vec3 = Vec3::new(0.85 / 32_767.0, 0.6 / 32_767.0, 0.2 / 32_767.0);
 
 const A: i16 = i16::MAX;
 static BOARD: [[i16; 3]; 8] = [
@@ -115,71 +129,53 @@ static INDICES: [u16; 36] = [
 static SIDES: [(Normal, Rgb); 12] = [
     ([0, 0, 127], GOLD),
     ([0, 0, 127], GOLD),
-    ([0, 0, -127], DARK),
-    ([0, 0, -127], DARK),
+    ([0, 0, -127], DARK_BLUE),
+    ([0, 0, -127], DARK_BLUE),
     ([127, 0, 0], RED),
     ([127, 0, 0], RED),
-    ([-127, 0, 0], DARK),
-    ([-127, 0, 0], DARK),
+    ([-127, 0, 0], DARK_RED),
+    ([-127, 0, 0], DARK_RED),
     ([0, 127, 0], GREEN),
     ([0, 127, 0], GREEN),
-    ([0, -127, 0], DARK),
-    ([0, -127, 0], DARK),
+    ([0, -127, 0], DARK_GREEN),
+    ([0, -127, 0], DARK_GREEN),
 ];
 
-/// Axes with arrows and their letters, in tenths.
-static AXES: [[i16; 3]; 34] = [
+/// Axes with arrows, in tenths.
+static AXES: [[i16; 3]; 18] = [
     [0, 0, 0],
-    [15, 0, 0],
-    [15, 0, 0],
+    [16, 0, 0],
+    [16, 0, 0],
     [13, 1, 0],
-    [15, 0, 0],
+    [16, 0, 0],
     [13, -1, 0],
     [0, 0, 0],
-    [0, 12, 0],
-    [0, 12, 0],
+    [0, 13, 0],
+    [0, 13, 0],
     [1, 10, 0],
-    [0, 12, 0],
+    [0, 13, 0],
     [-1, 10, 0],
     [0, 0, 0],
-    [0, 0, 11],
-    [0, 0, 11],
+    [0, 0, 12],
+    [0, 0, 12],
     [1, 0, 9],
-    [0, 0, 11],
+    [0, 0, 12],
     [-1, 0, 9],
-    // X
-    [17, 1, 1],
-    [17, -1, -1],
-    [17, -1, 1],
-    [17, 1, -1],
-    // Y
-    [1, 14, 2],
-    [0, 14, 0],
-    [-1, 14, 2],
-    [0, 14, 0],
-    [0, 14, 0],
-    [0, 14, -1],
-    // Z
-    [0, 1, 14],
-    [0, -1, 14],
-    [0, -1, 14],
-    [0, 1, 12],
-    [0, 1, 12],
-    [0, -1, 12],
 ];
 
-static AXIS_COLORS: [Rgb; 34] = {
-    let (mut colors, mut i) = ([RED; 34], 0);
-    while i < 34 {
-        colors[i] = match i {
-            0..=5 | 18..=21 => RED,
-            6..=11 | 22..=27 => GREEN,
-            _ => BLUE,
-        };
+static AXIS_COLORS: [Rgb; 18] = {
+    let (mut colors, mut i) = ([RED; 18], 0);
+    while i < 18 {
+        colors[i] = [RED, GREEN, BLUE][i / 6];
         i += 1;
     }
     colors
 };
+
+/// Letters of two or three lines.
+static X: [[i16; 3]; 4] = [[-2, -3, 0], [2, 3, 0], [-2, 3, 0], [2, -3, 0]];
+static Y: [[i16; 3]; 6] = [[-2, 3, 0], [0, 0, 0], [2, 3, 0], [0, 0, 0], [0, 0, 0], [0, -3, 0]];
+static Z: [[i16; 3]; 6] = [[-2, 3, 0], [2, 3, 0], [2, 3, 0], [-2, -3, 0], [-2, -3, 0], [2, -3, 0]];
 
 /// Nine lines each way.
 static GRID: [[i16; 3]; 36] = {

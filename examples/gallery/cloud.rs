@@ -1,4 +1,4 @@
-//! A point cloud: what a scanner of 32 beams sees of a street, coloured by distance.
+//! A point cloud: what a scanner of 32 beams sees of a yard, coloured by distance.
 //!
 //! The 20 000 points are made as they are drawn, a few sweeps at a time, so that they need no memory.
 
@@ -17,10 +17,10 @@ const BATCH: usize = 5;
 /// Draws the cloud; `turn` in degrees.
 pub(crate) fn draw(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, stats: &mut Stats) {
     frame.clear(Rgb::new(6, 8, 14));
-    let (sin, cos) = (turn + 24.0).degrees().sin_cos();
+    let (sin, cos) = turn.degrees().sin_cos();
     let camera = Camera::perspective(50.0.degrees(), 1.0).look_at(
-        Vec3::new(17.0 * sin, 11.0, 17.0 * cos),
-        Vec3::new(0.0, 0.5, -2.0),
+        Vec3::new(20.0 * sin, 12.0, 20.0 * cos),
+        Vec3::new(0.0, 1.0, -1.5),
         Vec3::Y,
     );
     let size = SizeOf(|_: VertexInput<'_, Rgb>, z: u16| if z > 4_200 { 32 } else { 16 });
@@ -39,16 +39,18 @@ pub(crate) fn draw(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, st
     }
 }
 
-/// Steps of a position in a metre, and how far the scanner sees.
+/// Steps of a position in a metre: 32 metres reach everywhere.
 const STEPS: f32 = 1000.0;
-const RANGE: f32 = 30.0;
-/// How high it is above the ground.
-const MAST: f32 = 1.9;
+/// How high the scanner is above the ground.
+const MAST: f32 = 2.2;
 
-/// A house, a car, a wall: from and to in x, from and to in z, height.
+/// Half the sides of the walled yard that it stands in.
+const YARD: [f32; 2] = [17.0, 23.0];
+
+/// A house, a car, a post: from and to in x, from and to in z, height.
 type Block = [f32; 5];
 
-const BLOCKS: [Block; 14] = [
+const BLOCKS: [Block; 13] = [
     // Houses on both sides.
     [-16.0, -7.0, -13.0, -2.5, 5.0],
     [-15.0, -8.0, 0.5, 9.0, 3.6],
@@ -56,8 +58,6 @@ const BLOCKS: [Block; 14] = [
     [8.0, 16.0, -12.0, -4.0, 4.2],
     [7.0, 15.0, -1.0, 5.5, 6.0],
     [8.5, 16.0, 9.0, 18.0, 4.0],
-    // A wall across the end.
-    [-6.0, 6.5, -22.0, -21.0, 2.6],
     // Cars: bodies and cabins.
     [-4.2, -2.4, -9.5, -5.2, 0.8],
     [-4.1, -2.5, -8.6, -6.2, 1.5],
@@ -72,21 +72,27 @@ const BLOCKS: [Block; 14] = [
 /// One sweep of all beams, so many turns about the mast.
 fn scan(turns: f32, positions: &mut [[i16; 3]], colors: &mut [Rgb]) {
     let (sin, cos) = Angle::from_turns(turns).sin_cos();
-    // Where the sweep enters and leaves each block.
-    let hits = BLOCKS.map(|[x0, x1, z0, z1, height]| {
+    // Where the sweep enters and leaves the blocks that it meets, and how high they are.
+    let (mut hits, mut count) = ([(0.0, 0.0, 0.0); BLOCKS.len()], 0);
+    for [x0, x1, z0, z1, height] in BLOCKS {
         let ((a, b), (c, d)) = (slab(x0, x1, sin), slab(z0, z1, cos));
-        (larger(a, c), smaller(b, d), height)
-    });
+        let (enter, leave) = (larger(a, c), smaller(b, d));
+        if 0.0 < enter && enter < leave {
+            hits[count] = (enter, leave, height);
+            count += 1;
+        }
+    }
+    // The yard's own walls are hit from inside.
+    let (wall, end) = (slab(-YARD[0], YARD[0], sin).1, slab(-YARD[1], YARD[1], cos).1);
     for ((beam, position), color) in (0_u8..).zip(positions).zip(colors) {
         // Beams from steeply down to a little up, closer towards the horizon.
-        let down = 1.0 - f32::from(beam) / 29.0;
-        let slope = -0.72 * down * if down > 0.0 { down } else { 1.4 };
-        let ground = if slope < 0.0 { -MAST / slope } else { RANGE };
-        let mut distance = smaller(ground, RANGE);
-        for (enter, leave, height) in hits {
-            if !(0.0 < enter && enter < leave) {
-                continue;
-            }
+        let up = (f32::from(beam) - 24.0) / 24.0;
+        let slope = if up < 0.0 { -0.75 * up * up } else { 0.9 * up };
+        let mut distance = smaller(wall, end);
+        if slope * distance < -MAST {
+            distance = -MAST / slope;
+        }
+        for (enter, leave, height) in hits.into_iter().take(count) {
             if MAST + slope * enter < height {
                 distance = smaller(distance, enter);
             } else if MAST + slope * leave < height {
@@ -128,24 +134,39 @@ fn steps(metres: f32) -> i16 {
     (metres * STEPS) as i16
 }
 
-/// From red near to blue far.
+/// The colour of a distance.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "a float cast saturates"
 )]
 fn tint(distance: f32) -> Rgb {
-    const SCALE: [[f32; 3]; 6] = [
-        [255.0, 60.0, 40.0],
-        [255.0, 170.0, 40.0],
-        [190.0, 235.0, 60.0],
-        [50.0, 225.0, 150.0],
-        [50.0, 150.0, 255.0],
-        [110.0, 80.0, 220.0],
-    ];
-    let place = smaller(larger(distance - 2.0, 0.0) * 0.2, 4.99);
-    let (from, part) = (place as usize, place - (place as usize) as f32);
-    let [r, g, b] =
-        [0, 1, 2].map(|k| (SCALE[from][k] + (SCALE[from + 1][k] - SCALE[from][k]) * part) as u8);
-    Rgb::new(r, g, b)
+    TINTS.get((distance * 4.0) as usize).copied().unwrap_or(Rgb::BLACK)
 }
+
+/// From red near to violet far, for each quarter of a metre.
+static TINTS: [Rgb; 128] = {
+    let scale: [[i32; 3]; 9] = [
+        [255, 40, 40],
+        [255, 80, 40],
+        [255, 170, 40],
+        [190, 235, 60],
+        [60, 225, 140],
+        [50, 170, 255],
+        [90, 110, 250],
+        [140, 80, 230],
+        [140, 80, 230],
+    ];
+    let (mut tints, mut i) = ([Rgb::BLACK; 128], 0);
+    while i < tints.len() {
+        let (from, part) = (i / 16, (i % 16) as i32);
+        let (a, b) = (scale[from], scale[from + 1]);
+        tints[i] = Rgb::new(
+            (a[0] + (b[0] - a[0]) * part / 16) as u8,
+            (a[1] + (b[1] - a[1]) * part / 16) as u8,
+            (a[2] + (b[2] - a[2]) * part / 16) as u8,
+        );
+        i += 1;
+    }
+    tints
+};

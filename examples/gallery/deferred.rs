@@ -42,9 +42,8 @@ impl Shader for Visible {
     #[allow(clippy::cast_possible_truncation, reason = "a float cast saturates")]
     fn prepare(&self, draw: &DrawContext) -> Self::Prepared {
         let rows = draw.model.transpose();
-        [rows.x, rows.y, rows.z].map(|row| {
-            (row.truncate().normalize() * 256.0).to_array().map(|number| number as i32)
-        })
+        [rows.x, rows.y, rows.z]
+            .map(|row| (row.truncate().normalize() * 256.0).to_array().map(|number| number as i32))
     }
 
     #[allow(
@@ -52,7 +51,11 @@ impl Shader for Visible {
         clippy::cast_sign_loss,
         reason = "limited to 8 bits just before"
     )]
-    fn vertex(&self, rows: &Self::Prepared, vertex: VertexInput<'_, Normal>) -> Corner<SmoothColor> {
+    fn vertex(
+        &self,
+        rows: &Self::Prepared,
+        vertex: VertexInput<'_, Normal>,
+    ) -> Corner<SmoothColor> {
         let normal = vertex.attributes.map(i32::from);
         let [x, y, z] = rows.map(|row| {
             let turned = row[0] * normal[0] + row[1] * normal[1] + row[2] * normal[2];
@@ -94,8 +97,8 @@ pub(crate) fn draw(
         .band(first_row, picture.height)?;
     frame.clear(Color::new(128, 128, 128).with_alpha(0));
     let camera = Camera::perspective(42.0.degrees(), 0.5).look_at(
-        Vec3::new(0.0, 3.3, 7.6),
-        Vec3::new(0.0, -0.2, 0.0),
+        Vec3::new(0.0, 3.4, 8.0),
+        Vec3::new(0.0, -0.6, 0.0),
         Vec3::Y,
     );
     let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less).count(stats);
@@ -117,8 +120,8 @@ pub(crate) fn draw(
 
 /// A light: where it is from, as long as 127, and its colour.
 const LIGHTS: [([i32; 3], [i32; 3]); 3] = [
-    ([-62, 88, 67], [255, 236, 205]),
-    ([118, 12, 45], [60, 110, 190]),
+    ([-62, 88, 67], [190, 176, 150]),
+    ([118, 12, 45], [40, 80, 150]),
     ([-84, -6, -94], [230, 80, 120]),
 ];
 
@@ -141,7 +144,7 @@ fn lit([x, y, z, material]: [u8; 4]) -> Color {
         let sum = normal[0] * to[0] + normal[1] * to[1] + normal[2] * to[2];
         (sum >> 6).clamp(0, 255)
     };
-    let (mut diffuse, mut shine) = ([44, 46, 60], [0; 3]);
+    let (mut diffuse, mut shine) = ([40, 42, 56], [0; 3]);
     for ((light, color), halfway) in LIGHTS.iter().zip(&HALFWAY) {
         let facing = cosine(light);
         // The 32nd power of a cosine, by squares.

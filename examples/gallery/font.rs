@@ -75,7 +75,9 @@ pub(crate) fn write<F: Format, D: Supplies<Untouched>>(
     let size = i32::from(dot) * 16;
     let (left, top) = (x * 16 + size / 2, y * 16 + size / 2);
     let mut pass = ScreenPass::new().count(stats);
-    for (letter, left) in text.iter().zip((left..).step_by((ADVANCE * size).unsigned_abs() as usize)) {
+    for (letter, left) in
+        text.iter().zip((left..).step_by((ADVANCE * size).unsigned_abs() as usize))
+    {
         // A column of dots at a time.
         for (column, x) in (0..5).zip((left..).step_by(size.unsigned_abs() as usize)) {
             let mut dots = [(ScreenVertex::from_bits(0, 0, 0), color); 7];

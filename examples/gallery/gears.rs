@@ -47,9 +47,7 @@ pub(crate) struct Gear<const V: usize, const I: usize> {
 
 impl<const V: usize, const I: usize> Gear<V, I> {
     /// The gear as a mesh: 20 triangles a tooth in strips.
-    pub(crate) fn mesh(
-        &self,
-    ) -> Mesh<'_, Normal, TriangleStrip<RestartIndices<'_, u16>>> {
+    pub(crate) fn mesh(&self) -> Mesh<'_, Normal, TriangleStrip<RestartIndices<'_, u16>>> {
         Mesh::new(&self.positions, &self.normals)
             .with_topology(TriangleStrip::new(RestartIndices::new(&self.indices)))
             .placed(Vec3::splat(self.step), Vec3::ZERO)

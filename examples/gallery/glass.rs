@@ -21,14 +21,14 @@ const COLORS: [Rgb; 6] = [
 
 /// Draws the teapot and the balls that circle around it; `turn` in degrees.
 pub(crate) fn draw(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, stats: &mut Stats) {
-    frame.clear(Rgb::new(24, 26, 36));
-    let eye = Vec3::new(0.0, 2.5, 6.2);
+    frame.clear(Rgb::new(236, 238, 242));
+    let eye = Vec3::new(0.0, 2.5, 6.0);
     let camera =
-        Camera::perspective(48.0.degrees(), 0.5).look_at(eye, Vec3::new(0.05, 0.0, 0.0), Vec3::Y);
+        Camera::perspective(48.0.degrees(), 0.5).look_at(eye, Vec3::new(0.0, -0.45, 0.0), Vec3::Y);
     let sun = [Light::directional(Vec3::new(-0.5, -1.0, -0.8), Rgb::new(220, 220, 220))];
 
     // What is opaque comes first.
-    let china = BlinnPhong::new(&sun).material(Rgb::new(228, 222, 210));
+    let china = BlinnPhong::new(&sun).material(Rgb::new(80, 88, 108));
     let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less).dither(Dither4).count(stats);
     let teapot = Mat4::rotation_y((-25.0).degrees()) * Mat4::scale(Vec3::splat(0.8));
     pass.draw(frame, &teapot, &TEAPOT, &Gouraud::new(china));

@@ -13,17 +13,17 @@ use super::font;
 pub(crate) fn draw(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, stats: &mut Stats) {
     frame.clear(Rgb::new(226, 232, 240));
     let camera = Camera::perspective(40.0.degrees(), 0.5).look_at(
-        Vec3::new(0.0, 1.5, 4.1),
+        Vec3::new(0.0, 2.0, 5.2),
         Vec3::new(0.0, -0.05, 0.0),
         Vec3::Y,
     );
-    let sun = Light::directional(Vec3::new(-0.4, -0.5, -1.0), Rgb::new(190, 190, 190));
-    let light = Lambert::new(&[sun]).ambient(Rgb::new(80, 80, 90));
+    let sun = Light::directional(Vec3::new(-0.4, -0.5, -1.0), Rgb::new(170, 170, 165));
+    let light = Lambert::new(&[sun]).ambient(Rgb::new(104, 104, 116));
     let shader = Textured::on(Flat::new(light), LOGO);
     let sides = Mesh::new(&POSITIONS, &ATTRIBUTES)
         .indexed(&INDICES)
         .placed(Vec3::splat(1.0 / REACH as f32), Vec3::ZERO);
-    let model = Mat4::rotation_y(turn.degrees()) * Mat4::rotation_z((0.3 * turn).degrees());
+    let model = Mat4::rotation_x(12.0.degrees()) * Mat4::rotation_y(turn.degrees());
     let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less).count(stats);
     pass.draw(frame, &model, &sides, &shader);
 }
@@ -53,10 +53,8 @@ static ATTRIBUTES: [(Normal, [i16; 2]); 24] = {
     let (mut attributes, mut i) = ([([0; 3], [0; 2]); 24], 0);
     while i < 24 {
         let ([right, up], out) = (CORNERS[i % 4], SIDES[i / 4].out);
-        attributes[i] = (
-            [127 * out[0], 127 * out[1], 127 * out[2]],
-            [2048 * (1 + right), 2048 * (1 - up)],
-        );
+        attributes[i] =
+            ([127 * out[0], 127 * out[1], 127 * out[2]], [2048 * (1 + right), 2048 * (1 - up)]);
         i += 1;
     }
     attributes

@@ -52,6 +52,7 @@ impl Canvas<'_> {
 pub(crate) struct Picture {
     pub(crate) name: &'static str,
     /// What it shows, in a line.
+    #[allow(dead_code, reason = "only the host program lists them")]
     pub(crate) about: &'static str,
     pub(crate) size: Size,
     /// The turn in degrees at which it is kept.
@@ -86,7 +87,7 @@ pub(crate) const PICTURES: [Picture; 11] = [
     picture!("attitude", "a board at roll, pitch and yaw, with its axes", FULL, 0.0, tumbling),
     picture!("attitude-small", "the same on 128x64 pixels", SMALL, 0.0, tumbling),
     picture!("cloud", "a point cloud of 20 000 points, by distance", FULL, 0.0, cloud::draw),
-    picture!("terrain", "hills from a height map, under fog", FULL, 30.0, terrain::draw),
+    picture!("terrain", "hills from a height map, under fog", FULL, 310.0, terrain::draw),
     picture!("shadow", "a teapot's shadow on a floor", FULL, 20.0, shadow::draw),
     picture!("wireframe", "edges without those that are hidden", FULL, 25.0, wireframe::draw),
     picture!("glass", "balls of glass around a teapot, sorted", FULL, 15.0, glass::draw),
@@ -130,9 +131,9 @@ pub(crate) const PICTURES: [Picture; 11] = [
 fn tumbling(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, stats: &mut Stats) {
     let (sin, cos) = microraster::math::Angle::from_degrees(turn).sin_cos();
     let attitude = attitude::Attitude {
-        roll: 20.0 * cos - 30.0 * sin,
-        pitch: -14.0 * cos,
-        yaw: 32.0 * cos + 10.0 * sin,
+        roll: 18.0 * cos - 30.0 * sin,
+        pitch: -16.0 * cos,
+        yaw: -8.0 * cos + 24.0 * sin,
     };
     attitude::draw(frame, attitude, stats);
 }

@@ -32,7 +32,8 @@ pub(crate) fn draw(
     stats: &mut Stats,
 ) -> Result<(), FrameError> {
     frame.clear(PAPER);
-    let [plain, four, sixteen] = COLUMNS.map(|x| Rect::new(x, GEARS_TOP, x + SIDE, GEARS_TOP + SIDE));
+    let [plain, four, sixteen] =
+        COLUMNS.map(|x| Rect::new(x, GEARS_TOP, x + SIDE, GEARS_TOP + SIDE));
     gear(frame, plain, turn, stats);
     for (cell, supersampling) in [(four, Supersampling::Two), (sixteen, Supersampling::Four)] {
         sampled(frame, cell, supersampling, (samples, sample_depth), turn, stats)?;
@@ -78,12 +79,8 @@ fn sampled(
             .band(first * factor, picture.height * factor)?;
         fine.clear(PAPER);
         let large = i32::from(factor);
-        let viewport = Rect::new(
-            cell.left * large,
-            cell.top * large,
-            cell.right * large,
-            cell.bottom * large,
-        );
+        let viewport =
+            Rect::new(cell.left * large, cell.top * large, cell.right * large, cell.bottom * large);
         gear(&mut fine, viewport, turn, stats);
         frame.set_scissor(Rect::new(cell.left, first.into(), cell.right, (first + rows).into()));
         supersampling.resolve(&fine, frame, &Undithered);
@@ -105,12 +102,14 @@ fn gear<F: Format>(
     turn: f32,
     stats: &mut Stats,
 ) {
-    let camera = Camera::perspective(30.0.degrees(), 5.0)
-        .look_at(Vec3::new(4.0, 6.0, 16.0), Vec3::ZERO, Vec3::Y);
+    let camera = Camera::perspective(30.0.degrees(), 5.0).look_at(
+        Vec3::new(4.0, 6.0, 16.0),
+        Vec3::ZERO,
+        Vec3::Y,
+    );
     let sun = Light::directional(Vec3::new(-0.2, -0.6, -1.0), Rgb::new(200, 200, 200));
     let light = Lambert::new(&[sun]).ambient(Rgb::new(70, 70, 70)).material(Rgb::new(60, 110, 210));
-    let mut pass =
-        Pass::new(&camera).viewport(viewport).cull(Cull::Back).depth(Less).count(stats);
+    let mut pass = Pass::new(&camera).viewport(viewport).cull(Cull::Back).depth(Less).count(stats);
     let model = Mat4::rotation_z(turn.degrees());
     pass.draw(frame, &model, &gears::RED.mesh(), &Gouraud::new(light));
 }

@@ -18,17 +18,16 @@ pub(crate) fn draw(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, st
     let eye = Vec3::new(9.0 * sin, 3.4, 9.0 * cos);
     let camera = Camera::perspective(50.0.degrees(), 0.5).look_at(
         eye,
-        Vec3::new(-1.5 * sin, 0.2, -1.5 * cos),
+        Vec3::new(-1.5 * sin, 0.4, -1.5 * cos),
         Vec3::Y,
     );
     let sun = Light::directional(Vec3::new(0.8, -0.55, 0.3), Rgb::new(235, 220, 190));
     let light = Lambert::new(&[sun]).ambient(Rgb::new(62, 70, 90));
-    let fog = Fog::exponential_squared(HAZE, 0.085);
+    let fog = Fog::exponential_squared(HAZE, 0.066);
     let hills = Mesh::new(&GROUND.positions, &GROUND.attributes)
         .with_topology(TriangleStrip::new(RestartIndices::new(&INDICES)))
         .placed(Vec3::new(WIDE / 32_767.0, HIGH / 32_767.0, WIDE / 32_767.0), Vec3::ZERO);
-    let mut pass =
-        Pass::new(&camera).cull(Cull::Back).depth(Less).dither(Dither4).count(stats);
+    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less).dither(Dither4).count(stats);
     let shader = Fogged::new(Gouraud::new(Tinted(light)), fog);
     pass.draw(frame, &Mat4::identity(), &hills, &shader);
 }

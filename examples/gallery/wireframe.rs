@@ -10,11 +10,11 @@ use microraster::{
 
 /// Draws the teapot's edges; `turn` in degrees.
 pub(crate) fn draw(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, stats: &mut Stats) {
-    let (paper, sheet) = (Rgb::new(18, 44, 92), Rgb::new(24, 56, 112));
+    let (paper, sheet) = (Rgb::new(18, 44, 92), Rgb::new(28, 64, 126));
     frame.clear(paper);
     let camera = Camera::perspective(45.0.degrees(), 1.0).look_at(
-        Vec3::new(0.0, 2.6, 6.0),
-        Vec3::new(0.1, -0.1, 0.0),
+        Vec3::new(0.0, 3.3, 6.9),
+        Vec3::new(0.0, -0.1, 0.0),
         Vec3::Y,
     );
     let model = Mat4::rotation_y(turn.degrees());
@@ -29,8 +29,10 @@ pub(crate) fn draw(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, st
     );
 
     // Edges of the same faces, paler with distance.
-    let ink = Fogged::new(Flat::solid(Rgb::WHITE), Fog::linear(sheet, 4.4, 9.5));
-    Pass::new(&camera).cull(Cull::Back).depth(LessEqual).count(stats).draw_wireframe(
-        frame, &model, &TEAPOT, &ink, Thin,
-    );
+    let ink = Fogged::new(Flat::solid(Rgb::WHITE), Fog::linear(sheet, 5.4, 10.2));
+    Pass::new(&camera)
+        .cull(Cull::Back)
+        .depth(LessEqual)
+        .count(stats)
+        .draw_wireframe(frame, &model, &TEAPOT, &ink, Thin);
 }

@@ -105,7 +105,7 @@ impl<V: Varying> Fill<'_, V> {
         // What neither depth nor varyings ask for is not computed.
         let gradients =
             if V::INTERPOLATED { Gradients::new(self.triangle) } else { Gradients::NONE };
-        let z_plane = if <Access<S>>::TOUCHES {
+        let z_plane = if <Access<S>>::HAS_DEPTH {
             self.depth_plane(&gradients, state.parts().0)
         } else {
             Plane::default()

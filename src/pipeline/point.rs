@@ -57,15 +57,6 @@ where
     Event::Drawn
 }
 
-/// Whether rows of colour are as long as those of depth.
-#[inline(always)]
-pub(super) fn has_one_stride<S: State, F: Format, D: Supplies<Access<S>>>(
-    frame: &Frame<'_, F, D>,
-) -> bool {
-    let (stride, cell_stride) = frame.strides::<Access<S>>();
-    stride == cell_stride
-}
-
 /// Draws points of one pixel each, in a frame with one stride: what does not depend on the point is
 /// done once.
 ///
@@ -88,7 +79,7 @@ pub(super) fn single_points<'t, H, S, F, D>(
 {
     let Rect { left, top, right, bottom } = *area;
     let (width, height) = (right.wrapping_sub(left), bottom.wrapping_sub(top));
-    let (stride, _) = frame.strides::<Access<S>>();
+    let stride = frame.stride();
     let (depth, output, counter) = state.parts();
     let Some((pixels, mut cells, first)) = frame.all_from::<Access<S>>(left, top) else { return };
     for (vertex, corner) in points {

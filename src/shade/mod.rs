@@ -58,11 +58,13 @@ pub use shader::{DrawContext, Fragments, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
 pub use state::{
-    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState, AnyDither, AnyMask,
-    Average, Blend, Channels, ColorMask, ColorOutput, ConstantAlpha, ConstantDepth, Counter,
-    Counting, DepthRange, DepthTest, Dither, Dither4, Dither8, Equal, Event, Greater, GreaterEqual,
-    Less, LessEqual, Multiply, NotEqual, Off, Output, PolygonOffset, Premultiplied, ReadOnly,
-    Replace, State, States, Stats, Subtract, Uncounted, Undithered,
+    Add, AllChannels, Alpha, Always, AnyBlend, AnyCompare, AnyDepth, AnyDepthState, AnyDither,
+    AnyMask, AnyOperation, AnyStencil, Average, Blend, Channels, ColorMask, ColorOutput,
+    ConstantAlpha, ConstantDepth, Counter, Counting, DecrementClamp, DecrementWrap, DepthRange,
+    DepthTest, Dither, Dither4, Dither8, Equal, Event, Greater, GreaterEqual, IncrementClamp,
+    IncrementWrap, Invert, Keep, Less, LessEqual, Multiply, Never, NotEqual, Off, Output,
+    PolygonOffset, Premultiplied, ReadOnly, Replace, State, States, Stats, Stencil, StencilCompare,
+    StencilOperation, Stenciled, Subtract, TestCell, Uncounted, Undithered, Verdict, Zero,
 };
 pub use textured::Textured;
 pub use unlit::Unlit;

@@ -1,4 +1,4 @@
-use super::{Blend, ColorOutput, Counter, DepthTest, Dither, State, Stepped};
+use super::{Blend, ColorOutput, Counter, DepthTest, Dither, State, Stepped, Verdict};
 use crate::color::{Color, Format};
 use crate::frame::DepthAccess;
 
@@ -72,7 +72,7 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     }
 
     /// Calls `fragment` for each pixel that passes the depth test and stores what it gives;
-    /// `None` discards: neither colour nor depth is written.
+    /// `None` discards: neither colour nor depth is written, nor a stencil value.
     ///
     /// # Cost
     /// 17 instructions a pixel on Cortex-M4 with depth and an interpolated colour; the closure is
@@ -114,13 +114,14 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         let Self { pixels, cells, mut z, z_step, mut varying, step, depth, counter, .. } = self;
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
-            if depth.passes(code, <Access<S>>::read(&cell)) {
+            let verdict = depth.verdict(code, &cell);
+            if verdict != Verdict::Fails {
                 if let Some(raw) = fragment(&varying) {
-                    if depth.writes() {
-                        <Access<S>>::write(cell, code);
+                    depth.leave(verdict, code, cell);
+                    if verdict == Verdict::Passes {
+                        *pixel = raw;
+                        counter.pixels(1);
                     }
-                    *pixel = raw;
-                    counter.pixels(1);
                 }
             }
             z = z.wrapping_add(z_step);
@@ -148,13 +149,14 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         let mut thresholds = output.dither().thresholds(x, y);
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
-            if depth.passes(code, <Access<S>>::read(&cell)) {
+            let verdict = depth.verdict(code, &cell);
+            if verdict != Verdict::Fails {
                 if let Some(source) = source(&varying) {
-                    if depth.writes() {
-                        <Access<S>>::write(cell, code);
+                    depth.leave(verdict, code, cell);
+                    if verdict == Verdict::Passes {
+                        *pixel = output.pixel::<F>(&source, pixel, &thresholds, dimmed);
+                        counter.pixels(1);
                     }
-                    *pixel = output.pixel::<F>(&source, pixel, &thresholds, dimmed);
-                    counter.pixels(1);
                 }
             }
             z = z.wrapping_add(z_step);

@@ -205,7 +205,7 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         // What neither depth nor varyings ask for is not computed.
         let triangle = plane_triangle(&ends, by_columns);
         let gradients = if V::INTERPOLATED { Gradients::new(&triangle) } else { Gradients::NONE };
-        let z_plane = match (<Access<S>>::TOUCHES, V::INTERPOLATED) {
+        let z_plane = match (<Access<S>>::HAS_DEPTH, V::INTERPOLATED) {
             (true, true) => depth_plane(&gradients, &triangle),
             (true, false) => lone_depth_plane(&triangle),
             (false, _) => Plane::default(),
@@ -216,9 +216,9 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         // Planes are level across the line: any row will do.
         let level = if by_columns { ends[0].y_bits() } else { ends[0].x_bits() } >> 4;
         // Where rows of colour and of depth differ in length, pixel by pixel.
-        let (stride, cell_stride) = frame.strides::<Access<S>>();
+        let has_one_stride = frame.has_one_stride::<Access<S>>();
         let longest = |path: &R, at: i32| {
-            if stride == cell_stride {
+            if has_one_stride {
                 path.good_until(at)
             } else {
                 at.wrapping_add(1)
@@ -288,7 +288,7 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
     {
         let Self { first, by_columns, mut steps, mut z, z_step, mut varying, step, .. } = *self;
         let (depth, output, counter) = state.parts();
-        let (stride, _) = frame.strides::<Access<S>>();
+        let stride = frame.stride();
         let (least, sign) = self.least_step;
         let Pixel { mut x, mut y } = first;
         let (along, across) = if by_columns { (1, stride) } else { (stride, 1) };

@@ -1,5 +1,22 @@
 use crate::frame::{DepthAccess, ReadWrite, Untouched};
 
+/// A pixel's cells under a depth test.
+pub type TestCell<'a, D> = <<D as DepthTest>::Access as DepthAccess>::Cell<'a>;
+
+/// What tests make of a fragment.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It fails, and nothing comes of it.
+    Fails,
+    /// It fails the stencil test, which leaves something.
+    FailsStencil,
+    /// It fails the depth test, which leaves something.
+    FailsDepth,
+    /// It is drawn.
+    Passes,
+}
+
 /// Which fragments are near enough to be drawn.
 ///
 /// Names compare **distance**: [`Less`] passes what is nearer than what is stored. Codes run the
@@ -13,6 +30,26 @@ pub trait DepthTest {
 
     /// Whether a fragment that is drawn leaves its depth.
     fn writes(&self) -> bool;
+
+    /// What becomes of a fragment with code `new`, unless the shader discards it.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn verdict(&self, new: u16, cell: &TestCell<'_, Self>) -> Verdict {
+        if self.passes(new, Self::Access::read(cell)) {
+            Verdict::Passes
+        } else {
+            Verdict::Fails
+        }
+    }
+
+    /// Leaves in the pixel's cell what comes of a verdict that is not [`Verdict::Fails`].
+    #[doc(hidden)]
+    #[inline(always)]
+    fn leave(&self, _verdict: Verdict, new: u16, cell: TestCell<'_, Self>) {
+        if self.writes() {
+            Self::Access::write(cell, new);
+        }
+    }
 
     /// Whether a triangle has one code for all of its pixels: the mean of its corners'.
     #[inline(always)]

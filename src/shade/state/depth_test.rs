@@ -24,6 +24,8 @@ pub enum Verdict {
 pub trait DepthTest {
     /// Whether depth is touched at all.
     type Access: DepthAccess;
+    /// Whether triangles may be [moved](Self::offset).
+    const OFFSETS: bool = false;
 
     /// Whether a fragment with code `new` is drawn over one with code `stored`.
     fn passes(&self, new: u16, stored: u16) -> bool;
@@ -51,7 +53,7 @@ pub trait DepthTest {
         }
     }
 
-    /// Whether a triangle has one code for all of its pixels: the mean of its corners'.
+    /// Whether a triangle or line has one code for all of its pixels: the mean of its corners'.
     #[inline(always)]
     fn is_constant(&self) -> bool {
         false
@@ -67,6 +69,13 @@ pub trait DepthTest {
     #[inline(always)]
     fn map(&self, code: u16) -> u16 {
         code
+    }
+
+    /// The depth that a corner has, 16.16, raised by a half so that cutting off rounds.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn corner(&self, code: u16) -> u32 {
+        u32::from(if self.maps() { self.map(code) } else { code }) << 16 | 0x8000
     }
 
     /// By how much a triangle is farther than it says, as 16.16 codes, where its depth changes by

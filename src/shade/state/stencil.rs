@@ -157,6 +157,7 @@ where
     P: StencilOperation,
 {
     type Access = WithStencil<D::Access>;
+    const OFFSETS: bool = D::OFFSETS;
 
     #[inline(always)]
     fn passes(&self, new: u16, stored: u16) -> bool {

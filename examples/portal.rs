@@ -21,7 +21,7 @@ static NIGHT: [Rgb; 4] =
     [Rgb::new(70, 40, 110), Rgb::new(70, 40, 110), Rgb::new(10, 10, 40), Rgb::new(10, 10, 40)];
 
 /// A square of so large a half side.
-fn square(colors: &[Rgb; 4], half: f32) -> Mesh<'_, Rgb, IndexedList<'static, u8>> {
+fn square(colors: &'static [Rgb; 4], half: f32) -> Mesh<'static, Rgb, IndexedList<'static, u8>> {
     Mesh::new(&SQUARE, colors).indexed(&INDICES).placed(Vec3::new(half, half, 1.0), Vec3::ZERO)
 }
 
@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .with_stencil(&mut stencil)?;
     frame.clear(Rgb::BLACK);
     let camera = Camera::perspective(45.0.degrees(), 0.5).look_at(
-        Vec3::new(1.6, 1.2, 6.0),
+        Vec3::new(1.4, 0.9, 5.2),
         Vec3::new(0.2, 0.0, 0.0),
         Vec3::Y,
     );
@@ -42,14 +42,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let pass = Pass::new(&camera).cull(Cull::Back);
 
     // This room: a wall, and a teapot that hides a part of the window.
-    let wall = square(&WALL, 4.0);
+    let wall = square(&WALL, 8.0);
     pass.depth(Less).draw(
         &mut frame,
         &Mat4::translation(Vec3::new(0.0, 0.0, -0.01)),
         &wall,
         &Gouraud::colored(),
     );
-    let here = Mat4::translation(Vec3::new(1.1, -0.9, 1.6)) * Mat4::scale(Vec3::new(0.5, 0.5, 0.5));
+    let here = Mat4::translation(Vec3::new(1.3, -0.9, 1.4)) * Mat4::scale(Vec3::new(0.5, 0.5, 0.5));
     let copper = Lambert::new(&[sun]).material(Rgb::new(220, 120, 70));
     pass.depth(Less).draw(&mut frame, &here, &TEAPOT, &Gouraud::new(copper));
 
@@ -65,11 +65,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     pass.depth(Stenciled::new(far, inside)).draw(&mut frame, &Mat4::identity(), &window, &plain);
 
     // The other room through it: its far wall, and a larger teapot.
-    let back = Mat4::translation(Vec3::new(0.0, 0.0, -3.0));
-    let sky = square(&NIGHT, 6.0);
+    let back = Mat4::translation(Vec3::new(0.0, 0.0, -6.0));
+    let sky = square(&NIGHT, 8.0);
     let mut through = pass.depth(Stenciled::new(Less, inside));
     through.draw(&mut frame, &back, &sky, &Gouraud::colored());
-    let there = Mat4::translation(Vec3::new(-0.4, -0.1, -1.4)) * Mat4::rotation_y(150.0.degrees());
+    let there = Mat4::translation(Vec3::new(-0.5, -0.3, -3.4)) * Mat4::rotation_y(150.0.degrees());
     let silver = Lambert::new(&[sun]).material(Rgb::new(170, 200, 230));
     through.draw(&mut frame, &there, &TEAPOT, &Gouraud::new(silver));
 

@@ -10,7 +10,7 @@ use microraster::{
 };
 
 /// Where light goes to.
-const SUN: Vec3 = Vec3::new(-0.6, -1.0, -0.4);
+const SUN: Vec3 = Vec3::new(0.9, -1.0, 0.1);
 /// The height of the floor, under the teapot.
 const FLOOR: f32 = -0.8;
 
@@ -43,15 +43,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .with_stencil(&mut stencil)?;
     frame.clear(Rgb::new(150, 180, 200));
     let camera = Camera::perspective(45.0.degrees(), 0.5).look_at(
-        Vec3::new(0.0, 2.6, 6.0),
-        Vec3::new(0.0, -0.2, 0.0),
+        Vec3::new(0.0, 4.4, 8.0),
+        Vec3::new(0.3, -0.4, 0.0),
         Vec3::Y,
     );
 
     // The floor, then the teapot on it.
     let floor = Mesh::new(&CORNERS, &COLORS)
         .indexed(&INDICES)
-        .placed(Vec3::new(3.4, 1.0, 3.4), Vec3::new(0.0, FLOOR, 0.0));
+        .placed(Vec3::new(4.2, 1.0, 3.4), Vec3::new(0.0, FLOOR, 0.0));
     let pass = Pass::new(&camera).cull(Cull::Back);
     pass.depth(Less).draw(&mut frame, &Mat4::identity(), &floor, &Gouraud::colored());
     let turned = Mat4::rotation_y(25.0.degrees());

@@ -1,6 +1,7 @@
 //! Stencil tests and operations against their definition, pixel by pixel.
 #![allow(
     clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
     clippy::cast_sign_loss,
     clippy::expect_used,
     reason = "random numbers are cut to what is wanted"

@@ -320,7 +320,7 @@ static PICTURES: [Picture; 32] = [
     },
     // Each patch by another mode.
     Picture {
-        name: "blend",
+        name: "blends",
         draws: &[
             BACKDROP,
             patch(corners::patch::<0>, AnyBlend::ConstantAlpha(100)),
@@ -331,8 +331,8 @@ static PICTURES: [Picture; 32] = [
         ],
         ..PLAIN
     },
-    Picture { name: "dither-4x4", draws: &[dusk(AnyDither::Four)], ..PLAIN },
-    Picture { name: "dither-8x8", draws: &[dusk(AnyDither::Eight)], ..PLAIN },
+    Picture { name: "dithered-4x4", draws: &[dusk(AnyDither::Four)], ..PLAIN },
+    Picture { name: "dithered-8x8", draws: &[dusk(AnyDither::Eight)], ..PLAIN },
     // A sheet on another one, of the same plane but other triangles.
     Picture {
         name: "offset",

@@ -13,6 +13,7 @@
 //! | [`raster`] | finds the covered pixels by exact integers, and the planes of what is interpolated |
 //! | [`texture`] | reads pictures from flash: formats, wraps, filters, mip-maps |
 //! | [`shade`] | asks a [`Shader`] for the colour of each pixel that passes the depth test |
+//! | [`texture`] | what surfaces show, borrowed from flash |
 //! | [`frame`], [`color`] | store it: formats, stride, bands, scissor |
 //! | [`math`] | vectors, matrices, angles: the same bits everywhere |
 //!
@@ -47,8 +48,8 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{
-    Clip, Cull, LineStyle, Midpoint, Pass, PointSize, Rectangle, ScreenPass, ShadedVertex, SizeOf,
-    Smooth, Stippled, Supersampling, Thin, VertexCache, Wide, Winding,
+    Attenuated, Clip, Cull, LineStyle, Midpoint, Pass, PointSize, Rectangle, ScreenPass,
+    ShadedVertex, SizeOf, Smooth, Stippled, Supersampling, Thin, VertexCache, Wide, Winding,
 };
 pub use scene::{
     normal, AnyLightKind, AnyTopology, Attenuation, Camera, Consecutive, DirectionalLight,

@@ -3,7 +3,12 @@ use crate::color::Color;
 
 /// What a texture shows between the middles of its texels.
 pub trait Filter: Copy {
-    /// The colour at (`u`, `v`) of `texture`; `None` beyond its data, which checked sizes rule out.
+    /// A coordinate as the filter takes it and a run of pixels steps it, by what
+    /// [`Wrap::turned`] makes of the way.
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32;
+
+    /// The colour of `texture` where both coordinates have [begun](Self::begin); `None` beyond its
+    /// data, which checked sizes rule out.
     fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
         self,
         texture: &Texture<'_, T>,
@@ -23,27 +28,10 @@ pub struct Nearest;
 
 impl Filter for Nearest {
     #[inline(always)]
-    fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
-        self,
-        texture: &Texture<'_, T>,
-        (across, down): (U, V),
-        [u_axis, v_axis]: &[Axis; 2],
-        u: i32,
-        v: i32,
-    ) -> Option<Color> {
-        let index = down.nearest(v_axis, v).wrapping_add(across.nearest(u_axis, u));
-        texture.texel(index).map(T::decode)
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
+        wrap.turned(axis, at)
     }
-}
 
-/// Mixed from the four texels whose middles lie around the point.
-///
-/// # Rounding
-/// Places are rounded to 2^-8 of a texel; the formats say how they mix.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Bilinear;
-
-impl Filter for Bilinear {
     #[inline(always)]
     fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
         self,
@@ -53,12 +41,90 @@ impl Filter for Bilinear {
         u: i32,
         v: i32,
     ) -> Option<Color> {
-        let ([left, right], x) = across.pair(u_axis, u);
-        let ([upper, lower], y) = down.pair(v_axis, v);
-        let texel = |row: u32, column: u32| texture.texel(row.wrapping_add(column));
-        let (a, b) = (texel(upper, left)?, texel(upper, right)?);
-        let (c, d) = (texel(lower, left)?, texel(lower, right)?);
-        Some(T::mix([a, b, c, d], Weights::new(x, y)))
+        texture.texel(across.nearest(u_axis, u), down.nearest(v_axis, v)).map(T::decode)
+    }
+}
+
+/// Mixed from the four texels whose middles lie around the point, as finely as is cheap.
+///
+/// # Rounding
+/// The formats say to what fraction of a texel places are rounded
+/// ([`PLACES`](TexelFormat::PLACES)) and how texels mix ([`blend`](TexelFormat::blend)): RGB565 has
+/// weights of five bits and gives colours of its own, all others are as [`FineBilinear`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bilinear;
+
+/// Mixed from the four texels whose middles lie around the point.
+///
+/// # Rounding
+/// Places are rounded to 2^-8 of a texel; the formats say how they [mix](TexelFormat::mix).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FineBilinear;
+
+/// Bits of a place that are always there.
+const FINE: u32 = 8;
+
+/// The four texels around a point, and where it lies between them.
+#[inline(always)]
+fn square<T: TexelFormat, U: Wrap, V: Wrap>(
+    texture: &Texture<'_, T>,
+    (across, down): (U, V),
+    [u_axis, v_axis]: &[Axis; 2],
+    [u, v]: [i32; 2],
+    places: u32,
+) -> Option<([T::Texel; 4], Weights)> {
+    let (left, x) = across.place(u_axis, u, places);
+    let (upper, y) = down.place(v_axis, v, places);
+    let weights = Weights::new(x, y);
+    if left < u_axis.last() && (V::ENDLESS || upper < v_axis.last()) {
+        if let Some(texels) = texture.square(left, upper) {
+            return Some((texels, weights));
+        }
+    }
+    let ([left, right], [upper, lower]) =
+        (across.pair(u_axis, u, places), down.pair(v_axis, v, places));
+    let (a, b) = (texture.texel(left, upper)?, texture.texel(right, upper)?);
+    let (c, d) = (texture.texel(left, lower)?, texture.texel(right, lower)?);
+    Some(([a, b, c, d], weights))
+}
+
+impl Filter for Bilinear {
+    #[inline(always)]
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
+        wrap.before(axis, at, T::PLACES)
+    }
+
+    #[inline(always)]
+    fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
+        self,
+        texture: &Texture<'_, T>,
+        wraps: (U, V),
+        axes: &[Axis; 2],
+        u: i32,
+        v: i32,
+    ) -> Option<Color> {
+        let (texels, weights) = square(texture, wraps, axes, [u, v], T::PLACES)?;
+        Some(T::blend(texels, weights))
+    }
+}
+
+impl Filter for FineBilinear {
+    #[inline(always)]
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
+        wrap.before(axis, at, FINE)
+    }
+
+    #[inline(always)]
+    fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
+        self,
+        texture: &Texture<'_, T>,
+        wraps: (U, V),
+        axes: &[Axis; 2],
+        u: i32,
+        v: i32,
+    ) -> Option<Color> {
+        let (texels, weights) = square(texture, wraps, axes, [u, v], FINE)?;
+        Some(T::mix(texels, weights))
     }
 }
 
@@ -70,9 +136,20 @@ pub enum AnyFilter {
     Nearest,
     /// As [`Bilinear`](struct@Bilinear).
     Bilinear,
+    /// As [`FineBilinear`](struct@FineBilinear).
+    FineBilinear,
 }
 
 impl Filter for AnyFilter {
+    #[inline(always)]
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
+        match self {
+            Self::Nearest => Nearest.begin::<T, W>(wrap, axis, at),
+            Self::Bilinear => Bilinear.begin::<T, W>(wrap, axis, at),
+            Self::FineBilinear => FineBilinear.begin::<T, W>(wrap, axis, at),
+        }
+    }
+
     #[inline(always)]
     fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
         self,
@@ -85,6 +162,7 @@ impl Filter for AnyFilter {
         match self {
             Self::Nearest => Nearest.sample(texture, wraps, axes, u, v),
             Self::Bilinear => Bilinear.sample(texture, wraps, axes, u, v),
+            Self::FineBilinear => FineBilinear.sample(texture, wraps, axes, u, v),
         }
     }
 }

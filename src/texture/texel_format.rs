@@ -12,11 +12,26 @@ pub trait TexelFormat {
     /// One texel, still packed.
     type Texel: Copy;
 
+    /// How many bits of a place between texels, 1 to 8, [`blend`](Self::blend) takes.
+    const PLACES: u32 = 8;
+
     /// Texels in one word of the data; rows follow each other without a gap.
     const TEXELS_PER_WORD: usize = 1;
 
     /// Texel `index` of the data; `None` beyond its end, where no sampler reads.
     fn fetch(words: &[Self::Word], palette: &Self::Palette, index: usize) -> Option<Self::Texel>;
+
+    /// Texel `index`, the next one, and both a `row` behind: a format may do that with one check.
+    /// `None` where it does not, and beyond the end of the data.
+    #[inline(always)]
+    fn square(
+        _words: &[Self::Word],
+        _palette: &Self::Palette,
+        _index: usize,
+        _row: usize,
+    ) -> Option<[Self::Texel; 4]> {
+        None
+    }
 
     /// The colour of a texel.
     fn decode(texel: Self::Texel) -> Color;
@@ -29,6 +44,12 @@ pub trait TexelFormat {
     #[inline(always)]
     fn mix(texels: [Self::Texel; 4], weights: Weights) -> Color {
         mix_colors(texels.map(Self::decode), weights)
+    }
+
+    /// The same as finely as is cheap: for [`Bilinear`](super::Bilinear).
+    #[inline(always)]
+    fn blend(texels: [Self::Texel; 4], weights: Weights) -> Color {
+        Self::mix(texels, weights)
     }
 }
 

@@ -101,6 +101,8 @@ impl<V, I> Deref for SubspanValue<V, I> {
 impl<V: Interpolated, I: Interval> PerspectiveVarying for SubspanValue<V, I> {
     type Inner = V;
 
+    const LINEAR: bool = true;
+
     #[inline(always)]
     fn inner_step(step: &V::Step) -> &V::Step {
         step

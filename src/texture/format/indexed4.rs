@@ -15,6 +15,7 @@ impl<E: PaletteEntry> TexelFormat for Indexed4<E> {
     type Palette = [E::Word; 16];
     type Texel = E::Word;
 
+    const PLACES: u32 = E::PLACES;
     const TEXELS_PER_WORD: usize = 2;
 
     #[inline(always)]
@@ -34,5 +35,10 @@ impl<E: PaletteEntry> TexelFormat for Indexed4<E> {
     #[inline(always)]
     fn mix(texels: [E::Word; 4], weights: Weights) -> Color {
         E::mix(texels, weights)
+    }
+
+    #[inline(always)]
+    fn blend(texels: [E::Word; 4], weights: Weights) -> Color {
+        E::blend(texels, weights)
     }
 }

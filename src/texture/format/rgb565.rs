@@ -8,9 +8,18 @@ impl TexelFormat for Rgb565 {
     type Palette = ();
     type Texel = u16;
 
+    const PLACES: u32 = 5;
+
     #[inline(always)]
     fn fetch(words: &[u16], (): &(), index: usize) -> Option<u16> {
         words.get(index).copied()
+    }
+
+    #[inline(always)]
+    fn square(words: &[u16], (): &(), index: usize, row: usize) -> Option<[u16; 4]> {
+        let words = words.get(index..)?.get(..row.wrapping_add(2))?;
+        let ([a, b], [c, d]) = (words.first_chunk()?, words.last_chunk()?);
+        Some([*a, *b, *c, *d])
     }
 
     #[inline(always)]
@@ -37,6 +46,29 @@ impl TexelFormat for Rgb565 {
             green: (green << 15).wrapping_add(green << 9) | 0xFFFF,
         }
     }
+
+    /// # Rounding
+    /// To nearest of the format's own colours: half a step of a channel (4.1 and 2.1 8-bit steps)
+    /// beside what places and weights of five bits are off. Four equal texels give what the nearest
+    /// one gives.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the lower half")]
+    fn blend(texels: [u16; 4], weights: Weights) -> Color {
+        let mut sum = HALVES;
+        for (texel, weight) in texels.into_iter().zip(weights.coarse()) {
+            let texel = u32::from(texel);
+            sum = sum.wrapping_add(((texel | texel << 16) & FIELDS).wrapping_mul(weight));
+        }
+        let fields = sum >> 5 & FIELDS;
+        Self::decode((fields | fields >> 16) as u16)
+    }
 }
+
+/// The three channels of a texel in one word, green in the upper half: each has room for five bits of
+/// fraction.
+const FIELDS: u32 = 0x07E0_F81F;
+
+/// Half a step of each channel, with five bits of fraction.
+const HALVES: u32 = 0x0200_8010;
 
 impl PaletteEntry for Rgb565 {}

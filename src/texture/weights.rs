@@ -14,17 +14,10 @@ impl Weights {
         Self { x: x & 255, y: y & 255 }
     }
 
-    /// The shares of the four texels in units of 2^-5, of the upper five bits of both distances; their
-    /// sum is 32.
-    ///
-    /// # Rounding
-    /// Half a unit at most, from the distances that are left.
+    /// The distances to the right and down in units of 2^-5, cut off: 0 to 31.
     #[inline(always)]
-    pub const fn coarse(self) -> [u32; 4] {
-        let (x, y) = (self.x >> 3, self.y >> 3);
-        let both = (x.wrapping_mul(y).wrapping_add(16)) >> 5;
-        let below = y.wrapping_sub(both);
-        [32u32.wrapping_sub(x).wrapping_sub(below), x.wrapping_sub(both), below, both]
+    pub const fn coarse(self) -> [u32; 2] {
+        [self.x >> 3, self.y >> 3]
     }
 
     /// The shares of the four texels (upper left, upper right, lower left, lower right) in units of

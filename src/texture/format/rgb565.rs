@@ -54,12 +54,11 @@ impl TexelFormat for Rgb565 {
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "the lower half")]
     fn blend(texels: [u16; 4], weights: Weights) -> Color {
-        let mut sum = HALVES;
-        for (texel, weight) in texels.into_iter().zip(weights.coarse()) {
-            let texel = u32::from(texel);
-            sum = sum.wrapping_add(((texel | texel << 16) & FIELDS).wrapping_mul(weight));
-        }
-        let fields = sum >> 5 & FIELDS;
+        let [x, y] = weights.coarse();
+        let [a, b, c, d] = texels;
+        let upper = between(spread(a), spread(b), x) >> 5 & FIELDS;
+        let lower = between(spread(c), spread(d), x) >> 5 & FIELDS;
+        let fields = between(upper, lower, y).wrapping_add(HALVES) >> 5 & FIELDS;
         Self::decode((fields | fields >> 16) as u16)
     }
 }
@@ -70,5 +69,17 @@ const FIELDS: u32 = 0x07E0_F81F;
 
 /// Half a step of each channel, with five bits of fraction.
 const HALVES: u32 = 0x0200_8010;
+
+/// A texel's channels as [`FIELDS`].
+#[inline(always)]
+const fn spread(texel: u16) -> u32 {
+    (texel as u32 | (texel as u32) << 16) & FIELDS
+}
+
+/// Fields between two others, with five bits of fraction; `weight` from 0 to 31.
+#[inline(always)]
+const fn between(from: u32, to: u32, weight: u32) -> u32 {
+    (from << 5).wrapping_add(to.wrapping_sub(from).wrapping_mul(weight))
+}
 
 impl PaletteEntry for Rgb565 {}

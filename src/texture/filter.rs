@@ -8,14 +8,15 @@ pub trait Filter: Copy {
     fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32;
 
     /// The colour of `texture` where both coordinates have [begun](Self::begin); `None` beyond its
-    /// data, which checked sizes rule out.
+    /// data, which checked sizes rule out. `constants` are the format's
+    /// [`CONSTANTS`](TexelFormat::CONSTANTS).
     fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
         self,
         texture: &Texture<'_, T>,
         wraps: (U, V),
         axes: &[Axis; 2],
-        u: i32,
-        v: i32,
+        uv: [i32; 2],
+        constants: [u32; 2],
     ) -> Option<Color>;
 }
 
@@ -38,8 +39,8 @@ impl Filter for Nearest {
         texture: &Texture<'_, T>,
         (across, down): (U, V),
         [u_axis, v_axis]: &[Axis; 2],
-        u: i32,
-        v: i32,
+        [u, v]: [i32; 2],
+        _constants: [u32; 2],
     ) -> Option<Color> {
         texture.texel(across.nearest(u_axis, u), down.nearest(v_axis, v)).map(T::decode)
     }
@@ -64,28 +65,20 @@ pub struct FineBilinear;
 /// Bits of a place that are always there.
 const FINE: u32 = 8;
 
-/// The four texels around a point, and where it lies between them.
+/// The four texels around a point.
 #[inline(always)]
-fn square<T: TexelFormat, U: Wrap, V: Wrap>(
+fn corners<T: TexelFormat, U: Wrap, V: Wrap>(
     texture: &Texture<'_, T>,
     (across, down): (U, V),
     [u_axis, v_axis]: &[Axis; 2],
     [u, v]: [i32; 2],
     places: u32,
-) -> Option<([T::Texel; 4], Weights)> {
-    let (left, x) = across.place(u_axis, u, places);
-    let (upper, y) = down.place(v_axis, v, places);
-    let weights = Weights::new(x, y);
-    if left < u_axis.last() && (V::ENDLESS || upper < v_axis.last()) {
-        if let Some(texels) = texture.square(left, upper) {
-            return Some((texels, weights));
-        }
-    }
+) -> Option<[T::Texel; 4]> {
     let ([left, right], [upper, lower]) =
         (across.pair(u_axis, u, places), down.pair(v_axis, v, places));
     let (a, b) = (texture.texel(left, upper)?, texture.texel(right, upper)?);
     let (c, d) = (texture.texel(left, lower)?, texture.texel(right, lower)?);
-    Some(([a, b, c, d], weights))
+    Some([a, b, c, d])
 }
 
 impl Filter for Bilinear {
@@ -100,11 +93,21 @@ impl Filter for Bilinear {
         texture: &Texture<'_, T>,
         wraps: (U, V),
         axes: &[Axis; 2],
-        u: i32,
-        v: i32,
+        [u, v]: [i32; 2],
+        constants: [u32; 2],
     ) -> Option<Color> {
-        let (texels, weights) = square(texture, wraps, axes, [u, v], T::PLACES)?;
-        Some(T::blend(texels, weights))
+        let ((across, down), [u_axis, v_axis]) = (wraps, axes);
+        let (left, x) = across.place(u_axis, u, T::PLACES);
+        let (upper, y) = down.place(v_axis, v, T::PLACES);
+        let weights = Weights::new(x, y);
+        // Endless rows need no check: behind the last one there are no data.
+        if left < u_axis.last() && (V::ENDLESS || upper < v_axis.last()) {
+            if let Some(color) = texture.blend_square(left, upper, weights, constants) {
+                return Some(color);
+            }
+        }
+        let texels = corners(texture, wraps, axes, [u, v], T::PLACES)?;
+        Some(T::blend(texels, weights, constants))
     }
 }
 
@@ -120,11 +123,14 @@ impl Filter for FineBilinear {
         texture: &Texture<'_, T>,
         wraps: (U, V),
         axes: &[Axis; 2],
-        u: i32,
-        v: i32,
+        [u, v]: [i32; 2],
+        _constants: [u32; 2],
     ) -> Option<Color> {
-        let (texels, weights) = square(texture, wraps, axes, [u, v], FINE)?;
-        Some(T::mix(texels, weights))
+        let ((across, down), [u_axis, v_axis]) = (wraps, axes);
+        let (_, x) = across.place(u_axis, u, FINE);
+        let (_, y) = down.place(v_axis, v, FINE);
+        let texels = corners(texture, wraps, axes, [u, v], FINE)?;
+        Some(T::mix(texels, Weights::new(x, y)))
     }
 }
 
@@ -156,13 +162,13 @@ impl Filter for AnyFilter {
         texture: &Texture<'_, T>,
         wraps: (U, V),
         axes: &[Axis; 2],
-        u: i32,
-        v: i32,
+        [u, v]: [i32; 2],
+        constants: [u32; 2],
     ) -> Option<Color> {
         match self {
-            Self::Nearest => Nearest.sample(texture, wraps, axes, u, v),
-            Self::Bilinear => Bilinear.sample(texture, wraps, axes, u, v),
-            Self::FineBilinear => FineBilinear.sample(texture, wraps, axes, u, v),
+            Self::Nearest => Nearest.sample(texture, wraps, axes, [u, v], constants),
+            Self::Bilinear => Bilinear.sample(texture, wraps, axes, [u, v], constants),
+            Self::FineBilinear => FineBilinear.sample(texture, wraps, axes, [u, v], constants),
         }
     }
 }

@@ -31,6 +31,8 @@ pub struct Sampler<'a, T: TexelFormat, F = Nearest, U = Repeat, V = U> {
     axes: [Axis; 2],
     filter: F,
     wraps: (U, V),
+    /// The format's.
+    constants: [u32; 2],
 }
 
 impl<T: TexelFormat, F: Copy, U: Copy, V: Copy> Clone for Sampler<'_, T, F, U, V> {
@@ -98,7 +100,7 @@ impl<'a, T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sampler<'a, T, F, U, V> {
     ) -> Self {
         let (width, height) = (texture.width(), texture.height());
         let axes = [Axis::new(width, unit_bits), Axis::new(height, unit_bits)];
-        Self { texture, axes, filter, wraps }
+        Self { texture, axes, filter, wraps, constants: T::CONSTANTS }
     }
 
     /// One repeat is 2^`bits` units of the vertex's along both axes: 0 to 15, above that 15.
@@ -136,7 +138,8 @@ impl<'a, T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sampler<'a, T, F, U, V> {
     /// The colour there.
     #[inline(always)]
     fn fetch_begun(&self, Uv { u, v }: Uv) -> Option<Color> {
-        self.filter.sample(&self.texture, self.wraps, &self.axes, u, v)
+        let Self { texture, axes, filter, wraps, constants } = self;
+        filter.sample(texture, *wraps, axes, [u, v], *constants)
     }
 }
 

@@ -15,23 +15,15 @@ pub trait TexelFormat {
     /// How many bits of a place between texels, 1 to 8, [`blend`](Self::blend) takes.
     const PLACES: u32 = 8;
 
+    /// Two words that [`blend`](Self::blend) is handed again: kept for a run of pixels, they are not
+    /// made anew for each.
+    const CONSTANTS: [u32; 2] = [0; 2];
+
     /// Texels in one word of the data; rows follow each other without a gap.
     const TEXELS_PER_WORD: usize = 1;
 
     /// Texel `index` of the data; `None` beyond its end, where no sampler reads.
     fn fetch(words: &[Self::Word], palette: &Self::Palette, index: usize) -> Option<Self::Texel>;
-
-    /// Texel `index`, the next one, and both a `row` behind: a format may do that with one check.
-    /// `None` where it does not, and beyond the end of the data.
-    #[inline(always)]
-    fn square(
-        _words: &[Self::Word],
-        _palette: &Self::Palette,
-        _index: usize,
-        _row: usize,
-    ) -> Option<[Self::Texel; 4]> {
-        None
-    }
 
     /// The colour of a texel.
     fn decode(texel: Self::Texel) -> Color;
@@ -48,8 +40,21 @@ pub trait TexelFormat {
 
     /// The same as finely as is cheap: for [`Bilinear`](super::Bilinear).
     #[inline(always)]
-    fn blend(texels: [Self::Texel; 4], weights: Weights) -> Color {
+    fn blend(texels: [Self::Texel; 4], weights: Weights, _constants: [u32; 2]) -> Color {
         Self::mix(texels, weights)
+    }
+
+    /// The same of texel `index`, the next one, and both a row behind, that is, so many texels: a
+    /// format may do that with one check. `None` where it does not, and beyond the end of the data.
+    #[inline(always)]
+    fn blend_square(
+        _words: &[Self::Word],
+        _palette: &Self::Palette,
+        _index_and_row: [usize; 2],
+        _weights: Weights,
+        _constants: [u32; 2],
+    ) -> Option<Color> {
+        None
     }
 }
 

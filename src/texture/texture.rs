@@ -1,5 +1,5 @@
-use super::{TexelFormat, TextureError};
-use crate::color::Rgb565;
+use super::{TexelFormat, TextureError, Weights};
+use crate::color::{Color, Rgb565};
 
 /// A picture in memory of the caller's: borrowed, never copied.
 ///
@@ -126,10 +126,17 @@ impl<'a, T: TexelFormat> Texture<'a, T> {
         T::fetch(self.words, self.palette, self.index(x, y))
     }
 
-    /// The same one, the one behind it, and both below; `None` where that is not cheap or they are
-    /// beyond the data.
+    /// What the same one, the one behind it, and both below show between them; `None` where that is
+    /// not cheap or they are beyond the data.
     #[inline(always)]
-    pub(super) fn square(&self, x: u32, y: u32) -> Option<[T::Texel; 4]> {
-        T::square(self.words, self.palette, self.index(x, y), self.width.into())
+    pub(super) fn blend_square(
+        &self,
+        x: u32,
+        y: u32,
+        weights: Weights,
+        constants: [u32; 2],
+    ) -> Option<Color> {
+        let place = [self.index(x, y), self.width.into()];
+        T::blend_square(self.words, self.palette, place, weights, constants)
     }
 }

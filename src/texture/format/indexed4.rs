@@ -16,6 +16,7 @@ impl<E: PaletteEntry> TexelFormat for Indexed4<E> {
     type Texel = E::Word;
 
     const PLACES: u32 = E::PLACES;
+    const CONSTANTS: [u32; 2] = E::CONSTANTS;
     const TEXELS_PER_WORD: usize = 2;
 
     #[inline(always)]
@@ -38,7 +39,7 @@ impl<E: PaletteEntry> TexelFormat for Indexed4<E> {
     }
 
     #[inline(always)]
-    fn blend(texels: [E::Word; 4], weights: Weights) -> Color {
-        E::blend(texels, weights)
+    fn blend(texels: [E::Word; 4], weights: Weights, constants: [u32; 2]) -> Color {
+        E::blend(texels, weights, constants)
     }
 }

@@ -26,6 +26,7 @@ impl<E: PaletteEntry> TexelFormat for Indexed8<E> {
     type Texel = E::Word;
 
     const PLACES: u32 = E::PLACES;
+    const CONSTANTS: [u32; 2] = E::CONSTANTS;
 
     #[inline(always)]
     fn fetch(words: &[u8], palette: &[E::Word; 256], index: usize) -> Option<E::Word> {
@@ -44,7 +45,7 @@ impl<E: PaletteEntry> TexelFormat for Indexed8<E> {
     }
 
     #[inline(always)]
-    fn blend(texels: [E::Word; 4], weights: Weights) -> Color {
-        E::blend(texels, weights)
+    fn blend(texels: [E::Word; 4], weights: Weights, constants: [u32; 2]) -> Color {
+        E::blend(texels, weights, constants)
     }
 }

@@ -9,6 +9,7 @@ impl TexelFormat for Rgb565 {
     type Texel = u16;
 
     const PLACES: u32 = 5;
+    const CONSTANTS: [u32; 2] = [FIELDS, HALVES];
 
     #[inline(always)]
     fn fetch(words: &[u16], (): &(), index: usize) -> Option<u16> {
@@ -16,10 +17,20 @@ impl TexelFormat for Rgb565 {
     }
 
     #[inline(always)]
-    fn square(words: &[u16], (): &(), index: usize, row: usize) -> Option<[u16; 4]> {
+    fn blend_square(
+        words: &[u16],
+        (): &(),
+        [index, row]: [usize; 2],
+        weights: Weights,
+        constants: [u32; 2],
+    ) -> Option<Color> {
         let words = words.get(index..)?.get(..row.wrapping_add(2))?;
-        let ([a, b], [c, d]) = (words.first_chunk()?, words.last_chunk()?);
-        Some([*a, *b, *c, *d])
+        let ([a, b], [x, y]) = (words.first_chunk()?, weights.coarse());
+        let upper = mixed([*a, *b], x, constants);
+        // Read no sooner, lower texels need no registers before.
+        core::hint::black_box(());
+        let [c, d] = words.last_chunk()?;
+        Some(shown(upper, mixed([*c, *d], x, constants), y, constants))
     }
 
     #[inline(always)]
@@ -52,14 +63,10 @@ impl TexelFormat for Rgb565 {
     /// beside what places and weights of five bits are off. Four equal texels give what the nearest
     /// one gives.
     #[inline(always)]
-    #[allow(clippy::cast_possible_truncation, reason = "the lower half")]
-    fn blend(texels: [u16; 4], weights: Weights) -> Color {
+    fn blend([a, b, c, d]: [u16; 4], weights: Weights, constants: [u32; 2]) -> Color {
         let [x, y] = weights.coarse();
-        let [a, b, c, d] = texels;
-        let upper = between(spread(a), spread(b), x) >> 5 & FIELDS;
-        let lower = between(spread(c), spread(d), x) >> 5 & FIELDS;
-        let fields = between(upper, lower, y).wrapping_add(HALVES) >> 5 & FIELDS;
-        Self::decode((fields | fields >> 16) as u16)
+        let (upper, lower) = (mixed([a, b], x, constants), mixed([c, d], x, constants));
+        shown(upper, lower, y, constants)
     }
 }
 
@@ -70,16 +77,20 @@ const FIELDS: u32 = 0x07E0_F81F;
 /// Half a step of each channel, with five bits of fraction.
 const HALVES: u32 = 0x0200_8010;
 
-/// A texel's channels as [`FIELDS`].
+/// Fields between those of two texels, cut off; `weight` from 0 to 31.
 #[inline(always)]
-const fn spread(texel: u16) -> u32 {
-    (texel as u32 | (texel as u32) << 16) & FIELDS
+fn mixed(texels: [u16; 2], weight: u32, [fields, _]: [u32; 2]) -> u32 {
+    let [from, to] = texels.map(|texel| (u32::from(texel) | u32::from(texel) << 16) & fields);
+    (from << 5).wrapping_add(to.wrapping_sub(from).wrapping_mul(weight)) >> 5 & fields
 }
 
-/// Fields between two others, with five bits of fraction; `weight` from 0 to 31.
+/// The colour between two of them, rounded.
 #[inline(always)]
-const fn between(from: u32, to: u32, weight: u32) -> u32 {
-    (from << 5).wrapping_add(to.wrapping_sub(from).wrapping_mul(weight))
+#[allow(clippy::cast_possible_truncation, reason = "the lower half")]
+fn shown(from: u32, to: u32, weight: u32, [fields, halves]: [u32; 2]) -> Color {
+    let way = to.wrapping_sub(from).wrapping_mul(weight).wrapping_add(halves);
+    let between = (from << 5).wrapping_add(way) >> 5 & fields;
+    Rgb565::decode((between | between >> 16) as u16)
 }
 
 impl PaletteEntry for Rgb565 {}

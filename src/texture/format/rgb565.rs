@@ -29,8 +29,9 @@ impl TexelFormat for Rgb565 {
         let upper = mixed([*a, *b], x, constants);
         // Read no sooner, lower texels need no registers before.
         core::hint::black_box(());
-        let [c, d] = words.last_chunk()?;
-        Some(shown(upper, mixed([*c, *d], x, constants), y, constants))
+        let [c, d] = words.get(row..)?.first_chunk()?;
+        let lower = mixed([*c, *d], x, constants);
+        Some(shown(between(upper, lower, y, constants)))
     }
 
     #[inline(always)]
@@ -59,14 +60,17 @@ impl TexelFormat for Rgb565 {
     }
 
     /// # Rounding
-    /// To nearest of the format's own colours: half a step of a channel (4.1 and 2.1 8-bit steps)
-    /// beside what places and weights of five bits are off. Four equal texels give what the nearest
-    /// one gives.
+    /// To the format's own colours, across and then down: at most one step of a channel (8.3 and
+    /// 4.1 8-bit steps) beside what places of five bits are off. Four equal texels give what the
+    /// nearest one gives.
+    ///
+    /// # Source
+    /// Three channels in one multiplication, spread over a word.
     #[inline(always)]
     fn blend([a, b, c, d]: [u16; 4], weights: Weights, constants: [u32; 2]) -> Color {
         let [x, y] = weights.coarse();
         let (upper, lower) = (mixed([a, b], x, constants), mixed([c, d], x, constants));
-        shown(upper, lower, y, constants)
+        shown(between(upper, lower, y, constants))
     }
 }
 
@@ -77,20 +81,27 @@ const FIELDS: u32 = 0x07E0_F81F;
 /// Half a step of each channel, with five bits of fraction.
 const HALVES: u32 = 0x0200_8010;
 
-/// Fields between those of two texels, cut off; `weight` from 0 to 31.
+/// The fields of a texel between two others, rounded; `weight` from 0 to 31.
 #[inline(always)]
-fn mixed(texels: [u16; 2], weight: u32, [fields, _]: [u32; 2]) -> u32 {
+fn mixed(texels: [u16; 2], weight: u32, constants: [u32; 2]) -> u32 {
+    let [fields, _] = constants;
     let [from, to] = texels.map(|texel| (u32::from(texel) | u32::from(texel) << 16) & fields);
-    (from << 5).wrapping_add(to.wrapping_sub(from).wrapping_mul(weight)) >> 5 & fields
+    between(from, to, weight, constants)
 }
 
-/// The colour between two of them, rounded.
+/// Fields between others, rounded.
+#[inline(always)]
+const fn between(from: u32, to: u32, weight: u32, [fields, halves]: [u32; 2]) -> u32 {
+    // What a field lends to its neighbour comes back with the sum.
+    let way = to.wrapping_sub(from).wrapping_mul(weight).wrapping_add(halves);
+    (from << 5).wrapping_add(way) >> 5 & fields
+}
+
+/// The colour of fields.
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation, reason = "the lower half")]
-fn shown(from: u32, to: u32, weight: u32, [fields, halves]: [u32; 2]) -> Color {
-    let way = to.wrapping_sub(from).wrapping_mul(weight).wrapping_add(halves);
-    let between = (from << 5).wrapping_add(way) >> 5 & fields;
-    Rgb565::decode((between | between >> 16) as u16)
+const fn shown(fields: u32) -> Color {
+    Rgb565::decode((fields | fields >> 16) as u16)
 }
 
 impl PaletteEntry for Rgb565 {}

@@ -13,6 +13,7 @@
 //! | [`raster`] | finds the covered pixels by exact integers, and the planes of what is interpolated |
 //! | [`texture`] | reads pictures from flash: formats, wraps, filters, mip-maps |
 //! | [`shade`] | asks a [`Shader`] for the colour of each pixel that passes the depth test |
+//! | [`texture`] | what surfaces show, borrowed from flash |
 //! | [`frame`], [`color`] | store it: formats, stride, bands, scissor |
 //! | [`math`] | vectors, matrices, angles: the same bits everywhere |
 //!
@@ -47,11 +48,13 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 pub use eg::DrawFormat;
 pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
 pub use pipeline::{
-    Clip, Cull, Pass, ScreenPass, ShadedVertex, Supersampling, VertexCache, Winding,
+    Attenuated, Clip, Cull, LineStyle, Midpoint, Pass, PointSize, Rectangle, ScreenPass,
+    ShadedVertex, SizeOf, Smooth, Stippled, Supersampling, Thin, VertexCache, Wide, Winding,
 };
 pub use scene::{
-    normal, AnyLightKind, AnyTopology, Attenuation, Camera, DirectionalLight, IndexedList, Light,
-    List, Mesh, Normal, PointLight, SpotLight, Topology,
+    normal, AnyLightKind, AnyTopology, Attenuation, Camera, Consecutive, DirectionalLight,
+    IndexedList, Indices, LastProvoking, Light, LineList, LineLoop, LineStrip, List, Mesh, Normal,
+    PointLight, Points, RestartIndices, SpotLight, Topology, TriangleFan, TriangleStrip,
 };
 pub use shade::{
     Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState,
@@ -59,10 +62,11 @@ pub use shade::{
     ColorOutput, Coloring, Constant, ConstantAlpha, ConstantDepth, Corner, Counter, Counting,
     DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat,
     FlatColor, Fog, Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual,
-    LightKind, Lighting, Multiply, NotEqual, Off, Output, Perspective, PerspectiveCorner,
-    PerspectiveMode, PerspectiveVarying, PolygonOffset, Premultiplied, ReadOnly, Replace, Row,
-    Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats, Stepped, Subtract, Surface,
-    Textured, Tinted, Uncounted, Undithered, Unlit, Uv, UvStep, Varying, VertexColors, VertexInput,
+    LightKind, Lighting, Matcap, Multiply, NotEqual, Off, Output, Perspective, PerspectiveCorner,
+    PerspectiveMode, PerspectiveVarying, Phong, PointCoordinates, PolygonOffset, Premultiplied,
+    ReadOnly, Replace, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats,
+    Stepped, Subtract, Surface, Textured, Tinted, Uncounted, Undithered, Unlit, Uv, UvStep,
+    Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

@@ -253,16 +253,16 @@ impl<const RUNS: bool> Shader for Glass<RUNS> {
         Color::default()
     }
 
-    fn fragment(&self, varying: &FlatColor) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, varying: &FlatColor) -> Option<Color> {
         Some(varying.color())
     }
 
-    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, FlatColor>) {
+    fn span<S: State, F: Format>(&self, _: &Self::Prepared, row: Row<'_, S, F, FlatColor>) {
         let color = row.varying().color();
         if RUNS {
             row.fill(color);
         } else {
-            row.each(|varying| self.fragment(varying));
+            row.each(|varying| self.fragment(&(), varying));
         }
     }
 }
@@ -360,10 +360,10 @@ fn packed_pixels_are_blended_too() {
         fn vertex(&self, (): &(), _: VertexInput<'_, ()>) -> Corner<FlatColor> {
             Color::default()
         }
-        fn fragment(&self, varying: &FlatColor) -> Option<Color> {
+        fn fragment(&self, _: &Self::Prepared, varying: &FlatColor) -> Option<Color> {
             Some(varying.color())
         }
-        fn span<S: State, F: Format>(&self, row: Row<'_, S, F, FlatColor>) {
+        fn span<S: State, F: Format>(&self, _: &Self::Prepared, row: Row<'_, S, F, FlatColor>) {
             row.each_packed(|varying| Some(F::pack(varying.color())));
         }
     }

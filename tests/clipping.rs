@@ -131,7 +131,7 @@ impl Shader for FlatBesideSmooth {
         ((*vertex.attributes).into(), Rgb::WHITE.into())
     }
 
-    fn fragment(&self, (flat, _): &(FlatColor, SmoothColor)) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, (flat, _): &(FlatColor, SmoothColor)) -> Option<Color> {
         Some(flat.color())
     }
 }

@@ -20,7 +20,7 @@ const SIZE: Size = Size::new(32, 32);
 fn codes<H: Shader>(
     camera: &Camera,
     model: &Mat4,
-    mesh: &Mesh<'_, H::Vertex, impl Topology>,
+    mesh: &Mesh<'_, H::Vertex, impl Topology<Primitive = [u32; 3]>>,
     shader: &H,
 ) -> Vec<u16> {
     let (mut pixels, mut depth) = (vec![0; 32 * 32], vec![0; 32 * 32]);

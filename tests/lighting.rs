@@ -4,9 +4,12 @@
 mod support;
 
 use microraster::math::{AngleUnits, Mat4, Vec3};
+use microraster::raster::ScreenVertex;
+use microraster::texture::{Sampler, Texture};
 use microraster::{
-    Attenuation, BlinnPhong, Coloring, DrawContext, Lambert, Light, LightKind, Lighting, Normal,
-    Rgb, Size, Surface, VertexInput,
+    Attenuation, BlinnPhong, Coloring, DrawContext, Exact, Frame, Lambert, Light, LightKind,
+    Lighting, Matcap, Normal, Phong, Rgb, Rgb565, Rgba8888, ScreenPass, Shader, Size, Surface,
+    VertexInput,
 };
 use support::Random;
 
@@ -212,5 +215,86 @@ fn light_of_every_kind_is_what_the_formulas_say() {
     println!("diffuse, and with highlights, in 8-bit steps: {worst:.2?}");
     for (diffuse, shiny) in worst {
         assert!(diffuse <= 2.0 && shiny <= 2.0, "{worst:?}");
+    }
+}
+
+#[test]
+fn light_at_fragments_is_that_of_the_interpolated_normal() {
+    let mut random = Random(83);
+    let size = Size::new(40, 40);
+    let mut worst = 0.0_f64;
+    for _ in 0..60 {
+        let mut number = |limit: f32| (random.unit() as f32 * 2.0 - 1.0) * limit;
+        // No matrices: the eye is along z, and so are the normals about.
+        let along = Vec3::new(number(1.0), number(1.0), -1.5);
+        let sun = Light::directional(along, Rgb::new(200, 180, 160));
+        let shininess = 1 + (number(1.0).abs() * 60.0) as u8;
+        let lighting = BlinnPhong::new(&[sun])
+            .ambient(Rgb::new(20, 20, 20))
+            .material(Rgb::new(150, 160, 170))
+            .specular(Rgb::new(60, 50, 40), shininess);
+        let normals =
+            [0; 3].map(|_: i32| microraster::normal(Vec3::new(number(0.8), number(0.8), 1.0)));
+        let places = [[0, 0], [40 * 16, 10], [30, 40 * 16]];
+        let corner = |i: usize| {
+            let [x, y] = places[i];
+            let word = |v: i32| (v + (1 << 15)) as u16;
+            let normal = normals[i].map(|component| word(i32::from(component) << 8));
+            (ScreenVertex::from_bits(x, y, 0), (normal, [1 << 15; 3]).into())
+        };
+        let mut pixels = vec![0_u32; 1600];
+        let mut frame = Frame::<Rgba8888>::new(&mut pixels, size).expect("a buffer that fits");
+        let shader = Phong::new(lighting).perspective(Exact);
+        ScreenPass::new().triangle(&mut frame, &shader, &[0, 1, 2].map(corner));
+        let to_light = unit(wide(along).map(|v| -v));
+        for (i, pixel) in pixels.iter().enumerate().filter(|(_, pixel)| **pixel != 0) {
+            let at = [16 * (i % 40) + 8, 16 * (i / 40) + 8].map(|v| v as f64);
+            let p = places.map(|place| place.map(f64::from));
+            let area = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+                (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+            };
+            let whole = area(p[0], p[1], p[2]);
+            let weights = [area(p[1], p[2], at), area(p[2], p[0], at), area(p[0], p[1], at)]
+                .map(|part| part / whole);
+            let n =
+                unit([0, 1, 2].map(|axis| {
+                    (0..3).map(|k| weights[k] * f64::from(normals[k][axis])).sum::<f64>()
+                }));
+            let halfway = unit([to_light[0], to_light[1], to_light[2] + 1.0]);
+            let shine = dot(n, halfway).max(0.0).powi(shininess.into());
+            let [r, g, b, _] = pixel.to_le_bytes();
+            for (seen, (material, (highlight, light))) in [r, g, b].into_iter().zip(
+                [150.0, 160.0, 170.0]
+                    .into_iter()
+                    .zip([60.0, 50.0, 40.0].into_iter().zip([200.0, 180.0, 160.0])),
+            ) {
+                let lit = material * dot(n, to_light).max(0.0) + highlight * shine;
+                let expected: f64 = material * 20.0 / 255.0 + light / 255.0 * lit;
+                worst = worst.max((f64::from(seen) - expected.min(255.0)).abs());
+            }
+        }
+    }
+    println!("at fragments, in 8-bit steps: {worst:.2}");
+    assert!(worst <= 2.0, "{worst}");
+}
+
+#[test]
+fn a_sphere_is_looked_up_where_its_normal_points_in_the_eye() {
+    let mut random = Random(84);
+    static WHITE: [u16; 1] = [0xFFFF];
+    let texture = Texture::<Rgb565>::new(&WHITE, 1, 1).expect("one texel");
+    let shader = Matcap::new(Sampler::nearest(texture).expect("a power of two"));
+    for _ in 0..10_000 {
+        let scene = Scene::random(&mut random);
+        let [u, v] = shader.vertex(&shader.prepare(&scene.draw), scene.input());
+        let (_, n) = scene.world();
+        let view = scene.draw.view.to_columns().map(|column| column.map(f64::from));
+        let eye = [0, 1].map(|i| view[0][i] * n[0] + view[1][i] * n[1] + view[2][i] * n[2]);
+        // Normals of three bytes are up to half a step of 127 longer or shorter than a unit.
+        let expected = [2048.0 + 2048.0 * 0.98 * eye[0], 2048.0 - 2048.0 * 0.98 * eye[1]];
+        for (seen, expected) in [u, v].into_iter().zip(expected) {
+            let error = (f64::from(seen) - expected).abs();
+            assert!(error <= 2048.0 / 127.0, "{seen} is not {expected}");
+        }
     }
 }

@@ -51,7 +51,7 @@ impl<M: PerspectiveMode> Shader for Coordinates<M> {
         [0, 0].into()
     }
 
-    fn fragment(&self, uv: &Perspective<Uv, M>) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, uv: &Perspective<Uv, M>) -> Option<Color> {
         Some(Color { blue_red: uv.u as u32, green: uv.v as u32 })
     }
 }

@@ -119,7 +119,7 @@ fn statistics_sum_up_and_ordinary_scenes_skip_nothing() {
 /// Draws a triangle with a mesh matrix; what was counted.
 fn count(
     model: &Mat4,
-    mesh: &Mesh<'_, Rgb, impl Topology>,
+    mesh: &Mesh<'_, Rgb, impl Topology<Primitive = [u32; 3]>>,
     camera: &Camera,
     viewport: Option<Rect>,
 ) -> Stats {
@@ -343,7 +343,7 @@ impl Shader for Chequered {
         *vertex.attributes
     }
 
-    fn fragment(&self, (x, y): &(Scalar, Scalar)) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, (x, y): &(Scalar, Scalar)) -> Option<Color> {
         (x.get() / 16 + y.get() / 16).is_multiple_of(2).then(|| Rgb::WHITE.into())
     }
 }

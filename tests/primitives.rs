@@ -13,7 +13,7 @@ mod support;
 use diamond::leaves_diamond;
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Always, Color, Flat, Frame, Gouraud, Rect, Rgb, Rgba8888, ScreenPass, Size, Stats,
+    Always, Color, Flat, Frame, Gouraud, Rect, Rgb, Rgba8888, ScreenPass, Size, Stats, Thin,
 };
 use support::{any_corner, Random};
 
@@ -46,7 +46,7 @@ fn check_line(a: ScreenVertex, b: ScreenVertex) {
     let mut stats = Stats::default();
     let found = drawn(|frame| {
         let mut pass = ScreenPass::new().count(&mut stats);
-        pass.lines(frame, &Flat::colored(), &[[white(a), white(b)]]);
+        pass.lines(frame, &Flat::colored(), Thin, &[[white(a), white(b)]]);
     });
     assert_eq!(found, expected, "{a:?} to {b:?}");
     assert_eq!(stats.pixels as usize, found.len(), "a pixel drawn twice: {a:?} to {b:?}");
@@ -110,7 +110,7 @@ fn a_chain_draws_its_joints_once() {
         }
         let mut stats = Stats::default();
         let found = drawn(|frame| {
-            ScreenPass::new().count(&mut stats).lines(frame, &Flat::colored(), &lines);
+            ScreenPass::new().count(&mut stats).lines(frame, &Flat::colored(), Thin, &lines);
         });
         assert_eq!(stats.pixels as usize, found.len(), "{lines:?}");
     }
@@ -130,7 +130,12 @@ fn scissors_and_bands_change_no_bit_of_a_line() {
             let mut frame = frame.with_depth(&mut depth).expect("the buffer fits");
             for scissor in scissors {
                 frame.set_scissor(*scissor);
-                ScreenPass::new().depth(Always).lines(&mut frame, &Gouraud::colored(), &[line]);
+                ScreenPass::new().depth(Always).lines(
+                    &mut frame,
+                    &Gouraud::colored(),
+                    Thin,
+                    &[line],
+                );
             }
             (pixels, depth)
         };
@@ -161,7 +166,7 @@ fn attributes_run_along_the_longer_side_and_stay_between_the_ends() {
         let frame = Frame::<Rgba8888>::new(&mut pixels, SIZE).expect("the buffer fits");
         let mut frame = frame.with_depth(&mut depth).expect("the buffer fits");
         let line = [(a, p.into()), (b, q.into())];
-        ScreenPass::new().depth(Always).lines(&mut frame, &Gouraud::colored(), &[line]);
+        ScreenPass::new().depth(Always).lines(&mut frame, &Gouraud::colored(), Thin, &[line]);
         let (ax, ay) = (f64::from(a.x.to_bits()), f64::from(a.y.to_bits()));
         let (w, h) = (f64::from(b.x.to_bits()) - ax, f64::from(b.y.to_bits()) - ay);
         for (i, word) in pixels.iter().enumerate().filter(|(_, word)| **word != 0) {
@@ -212,7 +217,7 @@ fn what_is_out_of_range_is_skipped_and_counted() {
     let far = ScreenVertex::from_bits(i32::MAX, i32::MIN, 0);
     let found = drawn(|frame| {
         let mut pass = ScreenPass::new().count(&mut stats);
-        pass.lines(frame, &Flat::colored(), &[[white(far), white(ScreenVertex::default())]]);
+        pass.lines(frame, &Flat::colored(), Thin, &[[white(far), white(ScreenVertex::default())]]);
         pass.points(frame, &Flat::colored(), u16::MAX, &[white(far)]);
     });
     assert_eq!((found.len(), stats.skipped, stats.lines, stats.points), (0, 2, 1, 1), "skipped");

@@ -8,6 +8,7 @@ pub(crate) mod golden;
 pub(crate) mod grid;
 pub(crate) mod hash;
 pub(crate) mod model;
+pub(crate) mod primitives;
 pub(crate) mod standard;
 pub(crate) mod textured;
 pub(crate) mod toon;
@@ -81,6 +82,7 @@ pub(crate) struct Scene<P> {
 pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
     standard::scenes()
         .into_iter()
+        .chain(primitives::scenes())
         .chain(toon::scenes())
         .chain(fragments::scenes())
         .chain(textured::scenes())

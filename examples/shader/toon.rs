@@ -32,7 +32,7 @@ impl Shader for Toon {
         ((cosine + 127 * 4096) >> 4).clamp(0, 65_535) as u16
     }
 
-    fn fragment(&self, brightness: &Scalar) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, brightness: &Scalar) -> Option<Color> {
         self.tones.get(usize::from(brightness.get() >> 14)).copied()
     }
 }
@@ -54,11 +54,11 @@ impl Shader for PackedToon {
         self.0.vertex(to_light, vertex)
     }
 
-    fn fragment(&self, brightness: &Scalar) -> Option<Color> {
-        self.0.fragment(brightness)
+    fn fragment(&self, prepared: &Self::Prepared, brightness: &Scalar) -> Option<Color> {
+        self.0.fragment(prepared, brightness)
     }
 
-    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, Scalar>) {
+    fn span<S: State, F: Format>(&self, _: &Self::Prepared, row: Row<'_, S, F, Scalar>) {
         let tones = self.0.tones.map(F::pack);
         row.each_packed(|brightness| tones.get(usize::from(brightness.get() >> 14)).copied());
     }

@@ -31,6 +31,9 @@ pub trait DepthAccess {
         from: usize,
         length: usize,
     ) -> Option<Self::Cells<'a>>;
+    /// One cell, as a row of its own.
+    fn one<'a>(cells: &'a mut Self::Cells<'_>, at: usize) -> Option<Self::Cells<'a>>;
+
     /// The walk over a row.
     fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a>;
     /// The stored code.
@@ -52,6 +55,11 @@ impl DepthAccess for Untouched {
     type Cells<'a> = ();
     type Cell<'a> = ();
     type Iter<'a> = Repeat<()>;
+
+    #[inline(always)]
+    fn one((): &mut Self::Cells<'_>, _at: usize) -> Option<()> {
+        Some(())
+    }
 
     #[inline(always)]
     fn part((): &mut Self::Cells<'_>, _from: usize, _length: usize) -> Option<()> {
@@ -77,6 +85,11 @@ impl DepthAccess for ReadWrite {
     type Cells<'a> = &'a mut [u16];
     type Cell<'a> = &'a mut u16;
     type Iter<'a> = IterMut<'a, u16>;
+
+    #[inline(always)]
+    fn one<'a>(cells: &'a mut Self::Cells<'_>, at: usize) -> Option<&'a mut [u16]> {
+        cells.get_mut(at).map(core::slice::from_mut)
+    }
 
     #[inline(always)]
     fn part<'a>(
@@ -108,12 +121,29 @@ impl DepthAccess for ReadWrite {
 pub trait Supplies<A: DepthAccess> {
     /// `length` columns of held row `row` from `left` on; `None` where the buffer does not reach.
     fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<A::Cells<'_>>;
+
+    /// From cell number `from` on, `length` of them, whatever rows they are in; `None` where there
+    /// are fewer.
+    fn run(&mut self, from: usize, length: usize) -> Option<A::Cells<'_>>;
+
+    /// How many cells there are, and from one row to the next; `None` without depth.
+    fn extent(&self) -> Option<(usize, usize)>;
 }
 
 impl Supplies<Untouched> for NoDepth {
     #[inline(always)]
     fn cells(&mut self, _row: usize, _left: usize, _length: usize) -> Option<()> {
         Some(())
+    }
+
+    #[inline(always)]
+    fn run(&mut self, _from: usize, _length: usize) -> Option<()> {
+        Some(())
+    }
+
+    #[inline(always)]
+    fn extent(&self) -> Option<(usize, usize)> {
+        None
     }
 }
 
@@ -122,6 +152,16 @@ impl Supplies<Untouched> for DepthBuffer<'_> {
     fn cells(&mut self, _row: usize, _left: usize, _length: usize) -> Option<()> {
         Some(())
     }
+
+    #[inline(always)]
+    fn run(&mut self, _from: usize, _length: usize) -> Option<()> {
+        Some(())
+    }
+
+    #[inline(always)]
+    fn extent(&self) -> Option<(usize, usize)> {
+        None
+    }
 }
 
 impl Supplies<ReadWrite> for DepthBuffer<'_> {
@@ -129,5 +169,15 @@ impl Supplies<ReadWrite> for DepthBuffer<'_> {
     fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<&mut [u16]> {
         let start = row.wrapping_mul(self.stride).wrapping_add(left);
         self.codes.get_mut(start..start.wrapping_add(length))
+    }
+
+    #[inline(always)]
+    fn run(&mut self, from: usize, length: usize) -> Option<&mut [u16]> {
+        self.codes.get_mut(from..)?.get_mut(..length)
+    }
+
+    #[inline(always)]
+    fn extent(&self) -> Option<(usize, usize)> {
+        Some((self.codes.len(), self.stride))
     }
 }

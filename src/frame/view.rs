@@ -42,6 +42,10 @@ impl<F: Format, D: core::fmt::Debug> core::fmt::Debug for Frame<'_, F, D> {
     }
 }
 
+/// Colours, depths, and the number of a pixel in both.
+type AllPixels<'a, F, A> =
+    (&'a mut [<F as Format>::Raw], <A as super::DepthAccess>::Cells<'a>, usize);
+
 /// How many elements rows of this stride span: the last row needs only its width.
 fn needed(size: Size, stride: u32) -> u32 {
     stride
@@ -259,6 +263,43 @@ impl<F: Format, D> Frame<'_, F, D> {
         let row = start.wrapping_add(left as usize)..start.wrapping_add(right as usize);
         let held = y >= self.held().top && y < self.held().bottom;
         (within && held).then_some(self.pixels.get(row)?)
+    }
+
+    /// From one row to the next, in pixels and in cells of depth; the second is that of the first
+    /// without depth.
+    #[inline(always)]
+    pub(crate) fn strides<A: crate::frame::DepthAccess>(&self) -> (usize, usize)
+    where
+        D: Supplies<A>,
+    {
+        (self.stride, self.depth.extent().map_or(self.stride, |(_, stride)| stride))
+    }
+
+    /// All colours and depths, as many of both, and the number of a pixel in them. Neighbours in
+    /// other rows are found by the [strides](Self::strides); where these differ, only the pixel
+    /// itself is right.
+    #[inline(always)]
+    pub(crate) fn all_from<A: crate::frame::DepthAccess>(
+        &mut self,
+        x: i32,
+        y: i32,
+    ) -> Option<AllPixels<'_, F, A>>
+    where
+        D: Supplies<A>,
+    {
+        let row = self.held_row(y);
+        let (mut pixels, mut cells) = (0, 0);
+        let at = row.wrapping_mul(self.stride).wrapping_add(x as usize);
+        let mut length = self.pixels.len();
+        if let Some((codes, stride)) = self.depth.extent() {
+            if stride != self.stride {
+                (pixels, cells) = (at, row.wrapping_mul(stride).wrapping_add(x as usize));
+            }
+            length = length.wrapping_sub(pixels).min(codes.wrapping_sub(cells));
+        }
+        let cells = self.depth.run(cells, length)?;
+        let pixels_from = self.pixels.get_mut(pixels..)?.get_mut(..length)?;
+        Some((pixels_from, cells, at.wrapping_sub(pixels)))
     }
 
     /// Colours and depth of columns `left..right` of picture row `y`; `None` where the frame does

@@ -57,9 +57,9 @@ impl Face {
 
 /// Goes through a mesh's triangles, leaves out what cannot be seen, clips, and hands out the rest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Assembly<T> {
+pub(super) struct Assembly<T: Topology> {
     pub(super) topology: T,
-    pub(super) cursor: u32,
+    pub(super) cursor: T::Cursor,
     pub(super) mapping: Mapping,
     /// What is drawn of the picture.
     pub(super) area: Rect,
@@ -75,7 +75,24 @@ fn keep<P: Positions>(entry: &mut Entry, index: u32, positions: &P, mapping: &Ma
     entry.keep(index, vertex);
 }
 
-impl<T: Topology> Assembly<T> {
+/// A vertex, from the cache or made for it.
+#[inline(always)]
+pub(super) fn vertex<P: Positions>(
+    cache: &mut [Entry],
+    index: u32,
+    positions: &P,
+    mapping: &Mapping,
+) -> Projected {
+    let Some(entry) = cache.get_mut(slot(index, cache.len())) else {
+        return Projected::INVALID;
+    };
+    if !entry.holds(index) {
+        keep(entry, index, positions, mapping);
+    }
+    entry.vertex
+}
+
+impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
     /// The next triangle that may be seen; whether there is one.
     ///
     /// # Cost
@@ -95,20 +112,10 @@ impl<T: Topology> Assembly<T> {
             counter.event(if face.covered { Event::Drawn } else { Event::Outside });
             face.clipped = false;
         }
-        while let Some(vertices) = self.topology.triangle(self.cursor) {
-            let number = self.cursor;
-            self.cursor = number.wrapping_add(1);
+        while let Some((number, vertices)) = self.topology.next::<false>(&mut self.cursor) {
             counter.event(Event::Triangle);
             let mapping = &self.mapping;
-            let [a, b, c] = vertices.map(|index| {
-                let Some(entry) = cache.get_mut(slot(index, cache.len())) else {
-                    return Projected::INVALID;
-                };
-                if !entry.holds(index) {
-                    keep(entry, index, positions, mapping);
-                }
-                entry.vertex
-            });
+            let [a, b, c] = vertices.map(|index| vertex(cache, index, positions, mapping));
             let any = a.flags | b.flags | c.flags;
             if any != 0 {
                 if any & flag::INVALID != 0 {

@@ -303,3 +303,40 @@ impl Fan {
         same
     }
 }
+
+/// An end of a line on the screen, and how far from the line's first corner to its last it lies, in
+/// units of 2^-30.
+pub(super) type LineEnd = (ScreenVertex, i32);
+
+/// A line cut at all planes that limit the view except the sides of the viewport, always from the
+/// inside to the outside; `None` if nothing is left of it.
+#[inline(never)]
+pub(super) fn cut_line(mapping: &Mapping, ends: [Clip; 2]) -> Option<[LineEnd; 2]> {
+    let [a, b] = ends;
+    let mut ends: [Corner; 2] =
+        [[a.x, a.y, a.z, a.w, 0, 0, 0, 0], [b.x, b.y, b.z, b.w, 1 << 30, 0, 0, 0]];
+    let has_row = mapping.depth.is_row();
+    for number in rolled(PLANES.len()) {
+        if number == 0 && !has_row {
+            continue;
+        }
+        let plane = ClipPlane::new(number, mapping);
+        let [first, last] = ends.each_ref().map(|end| plane.distance(end));
+        if first < 0 && last < 0 {
+            return None;
+        }
+        if (first < 0) != (last < 0) {
+            let (inside, outside, near, beyond) =
+                if first < 0 { (1, 0, last, first) } else { (0, 1, first, last) };
+            let t = ratio(near, near.wrapping_sub(beyond));
+            for at in rolled(NUMBERS) {
+                let at = at % 8;
+                ends[outside][at] = between(ends[inside][at], ends[outside][at], t);
+            }
+            if number == LEAST_W && !has_row {
+                ends[outside][W] = plane.offset;
+            }
+        }
+    }
+    Some(ends.map(|[x, y, z, w, along, ..]| (mapping.corner(&Clip { x, y, z, w }), along)))
+}

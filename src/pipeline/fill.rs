@@ -3,7 +3,7 @@ use crate::frame::{DepthAccess, Frame, Supplies};
 use crate::raster::{
     Gradients, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
 };
-use crate::shade::{ColorOutput, Corner, DepthTest, Row, Shader, State, Varying};
+use crate::shade::{ColorOutput, Corner, DepthTest, Fragments, Row, State, Varying};
 
 /// How a state touches depth.
 pub(crate) type Access<S> = <<S as State>::Depth as DepthTest>::Access;
@@ -21,7 +21,7 @@ pub(super) struct Fill<'a, V: Varying> {
 
 /// The plane of the depth codes: 16.16, raised by a half so that cutting off rounds.
 #[inline(always)]
-fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
+pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
     let [a, b, c] = &triangle.v;
     let mut plane = gradients.plane(a.z, b.z, c.z);
     plane.origin = plane.origin.wrapping_add(0x8000);
@@ -30,7 +30,7 @@ fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
 
 /// The same where nothing else is interpolated: a triangle of one depth needs no gradients.
 #[inline(never)]
-fn lone_depth_plane(triangle: &Triangle) -> Plane {
+pub(super) fn lone_depth_plane(triangle: &Triangle) -> Plane {
     let [a, b, c] = &triangle.v;
     if a.z == b.z && a.z == c.z {
         return Plane { origin: u32::from(a.z) << 16 | 0x8000, dx: 0, dy: 0 };
@@ -97,7 +97,7 @@ impl<V: Varying> Fill<'_, V> {
         batch: &mut SpanBatch,
     ) where
         W: SpanWalk,
-        H: Shader<Varying = V>,
+        H: Fragments<Varying = V>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,
@@ -176,7 +176,7 @@ impl<V: Varying> Ready<'_, V> {
         shader: &H,
     ) -> Option<()>
     where
-        H: Shader<Varying = V>,
+        H: Fragments<Varying = V>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,

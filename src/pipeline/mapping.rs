@@ -142,6 +142,23 @@ impl Mapping {
         )
     }
 
+    /// Where a point lies, however far beside the viewport; `None` if it is not between the near
+    /// and the far plane.
+    pub(super) fn point(&self, clip: &Clip) -> Option<ScreenVertex> {
+        /// Far beyond any point's extent, and nothing overflows.
+        const FARTHEST: i32 = 1 << 20;
+        if self.is_behind_near(clip.z, clip.w) || clip.z < self.depth.z_min {
+            return None;
+        }
+        let (x, y, z) = self.screen(clip);
+        let limit = |v: i32| v.clamp(-FARTHEST, FARTHEST);
+        Some(ScreenVertex::from_bits(
+            self.center_x.wrapping_add(limit(x)),
+            self.center_y.wrapping_add(limit(y)),
+            z,
+        ))
+    }
+
     /// A projected vertex as a corner for the rasterizer.
     #[inline(always)]
     pub(crate) fn place(&self, vertex: &Projected) -> ScreenVertex {

@@ -5,22 +5,31 @@
 //! attributes and the loop over spans; the rest works on integers and is compiled once.
 
 mod assembly;
+mod attenuated;
 mod cache;
 mod clip;
 mod clipper;
 mod cull;
 mod fill;
+mod line;
 mod mapping;
 mod pass;
+mod pass_lines;
+mod pass_points;
+mod point;
+mod point_size;
 mod projected;
 mod resolve;
 mod screen_pass;
 mod transform;
 
+pub use attenuated::Attenuated;
 pub use cache::VertexCache;
 pub use clip::Clip;
 use cull::CulledWindings;
 pub use cull::{Cull, Winding};
+pub use line::{LineStyle, Midpoint, Rectangle, Smooth, Stippled, Thin, Wide};
 pub use pass::Pass;
+pub use point_size::{PointSize, SizeOf};
 pub use resolve::Supersampling;
 pub use screen_pass::{ScreenPass, ShadedVertex};

@@ -11,8 +11,8 @@ use crate::math::Mat4;
 use crate::raster::{SpanBatch, Traversal, GUARD, SUBPIXELS};
 use crate::scene::{Camera, Mesh, Topology, Vertices};
 use crate::shade::{
-    Blend, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event, Output,
-    Shader, State, States, Stats, Varying, VertexInput,
+    Blend, Bound, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event,
+    Output, Shader, State, States, Stats, Varying, VertexInput,
 };
 
 /// Draws meshes: a camera, and the state in which triangles are drawn.
@@ -175,7 +175,7 @@ impl<S: State> Pass<'_, S> {
         H: Shader,
         F: Format,
         D: Supplies<Access<S>>,
-        T: Topology,
+        T: Topology<Primitive = [u32; 3]>,
     {
         let mut cache = VertexCache::<Corner<H::Varying>, 32>::new();
         self.draw_cached(frame, model, mesh, shader, &mut cache);
@@ -193,10 +193,28 @@ impl<S: State> Pass<'_, S> {
         H: Shader,
         F: Format,
         D: Supplies<Access<S>>,
-        T: Topology,
+        T: Topology<Primitive = [u32; 3]>,
+    {
+        let work = Triangles { topology: mesh.topology, cache: cache.start() };
+        self.perform(frame, model, mesh.vertices(), shader, work);
+    }
+
+    /// Makes a mesh ready to be drawn, and draws it.
+    #[inline(always)]
+    pub(super) fn perform<H, F, D, W>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        model: &Mat4,
+        vertices: &Vertices<'_, H::Vertex>,
+        shader: &H,
+        work: W,
+    ) where
+        H: Shader,
+        F: Format,
+        D: Supplies<Access<S>>,
+        W: Work<H>,
     {
         let viewport = self.viewport.unwrap_or(Rect::from_size(frame.picture()));
-        let vertices = mesh.vertices();
         let near = self.camera.constant_near();
         let (scale, offset) = vertices.place();
         let place = (scale, offset.extend(1.0));
@@ -204,37 +222,90 @@ impl<S: State> Pass<'_, S> {
         let placed = (!H::OWN_POSITIONS).then_some(&mut transform);
         let mapping = prepare(self.camera, near, model, &place, viewport, placed);
         let Some(mapping) = mapping else {
-            let counter = self.state.counter();
-            for _ in 0..mesh.triangles() {
-                counter.event(Event::Triangle);
-                counter.event(Event::Skipped);
-            }
+            work.skip(self.state.counter());
             return;
         };
-        let assembly = Assembly {
-            topology: mesh.topology,
-            cursor: 0,
-            mapping,
-            area: frame.scissor().intersection(viewport),
-            culled: CulledWindings::new(self.cull, self.front),
-            fan: Fan::default(),
-        };
+        let area = frame.scissor().intersection(viewport);
+        let culled = CulledWindings::new(self.cull, self.front);
         // What of this the shader does not look at is not made.
         let size = mapping.size();
         let context = DrawContext {
             model: *model,
             view: self.camera.view(),
             projection: self.camera.projection(aspect(size)),
+            viewport: size,
             scale,
             offset,
-            viewport: size,
         };
-        let draw = Draw { vertices, shader, prepared: &shader.prepare(&context) };
+        let draw = &Draw { vertices, shader, prepared: &shader.prepare(&context) };
+        let state = &mut self.state;
         if H::OWN_POSITIONS {
-            draw.run(&draw, assembly, frame, &mut self.state, cache.start());
+            work.run(&Ready { draw, positions: draw, mapping, area, culled }, frame, state);
         } else {
-            let positions = MeshPositions { transform: &transform, positions: vertices.positions };
-            draw.run(&positions, assembly, frame, &mut self.state, cache.start());
+            let positions = &MeshPositions { transform: &transform, positions: vertices.positions };
+            work.run(&Ready { draw, positions, mapping, area, culled }, frame, state);
+        }
+    }
+}
+
+/// What is done with a mesh that is ready to be drawn.
+pub(super) trait Work<H: Shader> {
+    /// Draws it.
+    fn run<P, S, F, D>(self, ready: &Ready<'_, H, P>, frame: &mut Frame<'_, F, D>, state: &mut S)
+    where
+        P: Positions,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>;
+
+    /// Says of all primitives that they cannot be drawn.
+    fn skip<C: Counter>(self, counter: &mut C);
+}
+
+/// A mesh ready to be drawn.
+pub(super) struct Ready<'a, H: Shader, P> {
+    pub(super) draw: &'a Draw<'a, H>,
+    pub(super) positions: &'a P,
+    pub(super) mapping: Mapping,
+    /// What is drawn of the picture.
+    pub(super) area: Rect,
+    pub(super) culled: CulledWindings,
+}
+
+/// Draws filled triangles.
+struct Triangles<'a, T, C> {
+    topology: T,
+    cache: CacheView<'a, C>,
+}
+
+impl<H, T> Work<H> for Triangles<'_, T, Corner<H::Varying>>
+where
+    H: Shader,
+    T: Topology<Primitive = [u32; 3]>,
+{
+    #[inline(always)]
+    fn run<P, S, F, D>(self, ready: &Ready<'_, H, P>, frame: &mut Frame<'_, F, D>, state: &mut S)
+    where
+        P: Positions,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let assembly = Assembly {
+            topology: self.topology,
+            cursor: T::Cursor::default(),
+            mapping: ready.mapping,
+            area: ready.area,
+            culled: ready.culled,
+            fan: Fan::default(),
+        };
+        ready.draw.run(ready.positions, assembly, frame, state, self.cache);
+    }
+
+    fn skip<C: Counter>(self, counter: &mut C) {
+        for _ in 0..self.topology.count() {
+            counter.event(Event::Triangle);
+            counter.event(Event::Skipped);
         }
     }
 }
@@ -287,8 +358,8 @@ fn w<P: Positions>(positions: &P, index: u32) -> i32 {
 
 /// One draw of a mesh: what depends on the shader, but not on state or format.
 #[derive(Debug)]
-struct Draw<'a, H: Shader> {
-    vertices: &'a Vertices<'a, H::Vertex>,
+pub(super) struct Draw<'a, H: Shader> {
+    pub(super) vertices: &'a Vertices<'a, H::Vertex>,
     shader: &'a H,
     prepared: &'a H::Prepared,
 }
@@ -301,6 +372,12 @@ impl<H: Shader> Positions for Draw<'_, H> {
 }
 
 impl<H: Shader> Draw<'_, H> {
+    /// What draws pixels.
+    #[inline(always)]
+    pub(super) fn bound(&self) -> Bound<'_, H> {
+        Bound { shader: self.shader, prepared: self.prepared }
+    }
+
     #[inline(always)]
     fn run<P, T, S, F, D>(
         &self,
@@ -311,7 +388,7 @@ impl<H: Shader> Draw<'_, H> {
         mut cache: CacheView<'_, Corner<H::Varying>>,
     ) where
         P: Positions,
-        T: Topology,
+        T: Topology<Primitive = [u32; 3]>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,
@@ -347,7 +424,7 @@ impl<H: Shader> Draw<'_, H> {
             Fill { triangle: &face.triangle, corners: &corners, provoking: &provoking }.draw(
                 frame,
                 state,
-                self.shader,
+                &self.bound(),
                 &mut walk,
                 &mut batch,
             );
@@ -385,9 +462,39 @@ impl<H: Shader> Draw<'_, H> {
         }
     }
 
+    /// The attributes of one vertex of primitive `number`; `None` if the mesh lacks them.
+    #[inline(always)]
+    pub(super) fn corner<P: Positions>(
+        &self,
+        index: u32,
+        number: u32,
+        positions: &P,
+        cache: &mut CacheView<'_, Corner<H::Varying>>,
+    ) -> Option<Corner<H::Varying>> {
+        if self.vertices.by_face {
+            return self.made(number, index, positions);
+        }
+        cache.corner(index).or_else(|| self.shade(index, positions, cache))
+    }
+
+    /// The attributes with a number of a vertex, made anew; `None` if the mesh lacks them.
+    #[inline(always)]
+    pub(super) fn made<P: Positions>(
+        &self,
+        number: u32,
+        index: u32,
+        positions: &P,
+    ) -> Option<Corner<H::Varying>> {
+        let attributes = self.vertices.attributes.get(number as usize)?;
+        let input = VertexInput { attributes, position: self.position(index) };
+        let mut corner = self.shader.vertex(self.prepared, input);
+        H::Varying::place(&mut corner, || w(positions, index));
+        Some(corner)
+    }
+
     /// Where a vertex lies in the mesh, if the mesh says so.
     #[inline(always)]
-    fn position(&self, index: u32) -> [i16; 3] {
+    pub(super) fn position(&self, index: u32) -> [i16; 3] {
         self.vertices.positions.get(index as usize).copied().unwrap_or_default()
     }
 
@@ -400,10 +507,7 @@ impl<H: Shader> Draw<'_, H> {
         positions: &P,
         cache: &mut CacheView<'_, Corner<H::Varying>>,
     ) -> Option<Corner<H::Varying>> {
-        let attributes = self.vertices.attributes.get(index as usize)?;
-        let input = VertexInput { attributes, position: self.position(index) };
-        let mut corner = self.shader.vertex(self.prepared, input);
-        H::Varying::place(&mut corner, || w(positions, index));
+        let corner = self.made(index, index, positions)?;
         cache.keep_corner(index, corner);
         Some(corner)
     }

@@ -1,11 +1,16 @@
 use super::fill::{Access, Fill, Walk};
-use super::{Cull, CulledWindings, Winding};
+use super::line::{LineDraw, Outcome};
+use super::point::{draw_point, has_one_stride, single_points};
+use super::{Cull, CulledWindings, LineStyle, Winding};
 use crate::color::Format;
-use crate::frame::{Frame, Supplies};
-use crate::raster::{Line, PointWalk, ScreenVertex, SpanBatch, SpanWalk, Traversal, Triangle};
+use crate::frame::{Frame, Size, Supplies};
+use crate::math::{Mat4, Vec3};
+#[cfg(doc)]
+use crate::raster::PointSquare;
+use crate::raster::{ScreenVertex, SpanBatch, Traversal, Triangle};
 use crate::shade::{
-    Blend, ColorMask, Corner, Counter, Counting, DepthTest, Dither, Event, Output, Shader, State,
-    States, Stats,
+    Blend, Bound, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event,
+    Fragments, Output, Shader, State, States, Stats,
 };
 
 /// A corner on the screen and what shader `H` interpolates from it.
@@ -14,7 +19,8 @@ pub type ShadedVertex<H> = (ScreenVertex, Corner<<H as Shader>::Varying>);
 /// Draws primitives that are in screen space already: below the vertex stage, with the same state,
 /// shaders and pixel loop.
 ///
-/// Corners come with their varyings; a shader's `prepare` and `vertex` are not called. Coordinates
+/// Corners come with their varyings; a shader's `vertex` is not called, and its `prepare` sees no
+/// matrices but those that change nothing. Coordinates
 /// may reach 4096 pixels from the picture's centre; primitives beyond are skipped and counted.
 ///
 /// ```
@@ -136,16 +142,25 @@ impl<S: State> ScreenPass<S> {
         self.triangles(frame, shader, core::slice::from_ref(corners));
     }
 
-    /// Draws lines one pixel wide; flat shaders take the first corner's colour.
+    /// Draws lines in a style, each on its own; flat shaders take the first corner's colour.
     ///
-    /// # Rounding
-    /// The pixels are exact by the diamond-exit rule of OpenGL 4.6, section 14.5.1, so that the
-    /// joints of a chain are drawn once. Attributes run from corner to corner along the longer
-    /// side, in equal steps.
+    /// ```
+    /// use microraster::raster::ScreenVertex;
+    /// use microraster::{Flat, Frame, Rgb, Rgb565, ScreenPass, Size, Stippled, Thin, Wide};
+    ///
+    /// let mut pixels = [0u16; 16 * 8];
+    /// let mut frame = Frame::<Rgb565>::new(&mut pixels, Size::new(16, 8))?;
+    /// let end = |x: i32, y: i32| (ScreenVertex::from_bits(16 * x, 16 * y, 0), Rgb::RED.into());
+    /// let line = [end(1, 1), end(14, 4)];
+    /// ScreenPass::new().lines(&mut frame, &Flat::colored(), Wide(3), &[line]);
+    /// ScreenPass::new().lines(&mut frame, &Flat::colored(), Stippled::new(0x5555, 1, Thin), &[line]);
+    /// # Ok::<(), microraster::FrameError>(())
+    /// ```
     pub fn lines<'t, H, F, D>(
         &mut self,
         frame: &mut Frame<'_, F, D>,
         shader: &H,
+        style: impl LineStyle,
         lines: impl IntoIterator<Item = &'t [ShadedVertex<H>; 2]>,
     ) where
         H: Shader,
@@ -153,34 +168,69 @@ impl<S: State> ScreenPass<S> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        for [(a, p), (b, q)] in lines {
-            self.event(Event::Line);
-            if !a.in_range(frame.picture()) || !b.in_range(frame.picture()) {
-                self.event(Event::Skipped);
-                continue;
-            }
-            let Some(line) = Line::between(*a, *b) else {
-                self.event(Event::Degenerate);
-                continue;
-            };
-            // The pixel before the first corner has the corner's attributes, the others their own.
-            let (triangle, area) = (line.plane_triangle(), frame.scissor());
-            let head = line.head(area).is_some_and(|mut walk| {
-                let triangle = &Triangle { v: [*a; 3], ..triangle };
-                let fill = Fill { triangle, corners: &[*p; 3], provoking: p };
-                self.fill(frame, shader, &fill, &mut walk)
-            });
-            let fill = Fill { triangle: &triangle, corners: &[*p, *q, *p], provoking: p };
-            let rest = self.fill(frame, shader, &fill, &mut line.walk(area));
-            self.event(if head || rest { Event::Drawn } else { Event::Outside });
+        let prepared = &shader.prepare(&context(frame.picture()));
+        let bound = &Bound { shader, prepared };
+        for [a, b] in lines {
+            self.line(frame, bound, style, [a, b], 0);
         }
     }
 
-    /// Draws points as squares of `size` pixels about their corners, one colour and depth each.
+    /// Draws lines from each corner to the next, in a style whose stipple goes on from line to line;
+    /// flat shaders take the first corner's colour of each.
+    pub fn line_strip<'t, H, F, D>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        shader: &H,
+        style: impl LineStyle,
+        corners: impl IntoIterator<Item = &'t ShadedVertex<H>>,
+    ) where
+        H: Shader,
+        H::Varying: 't,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let prepared = &shader.prepare(&context(frame.picture()));
+        let bound = &Bound { shader, prepared };
+        let mut corners = corners.into_iter();
+        let Some(mut a) = corners.next() else { return };
+        let mut before = 0_u32;
+        for b in corners {
+            before = before.wrapping_add(self.line(frame, bound, style, [a, b], before));
+            a = b;
+        }
+    }
+
+    /// Draws a line; how many pixels it has.
+    #[inline(always)]
+    fn line<H, F, D>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        shader: &H,
+        style: impl LineStyle,
+        [(a, p), (b, q)]: [&(ScreenVertex, Corner<H::Varying>); 2],
+        before: u32,
+    ) -> u32
+    where
+        H: Fragments,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        self.event(Event::Line);
+        if !a.in_range(frame.picture()) || !b.in_range(frame.picture()) {
+            self.event(Event::Skipped);
+            return 0;
+        }
+        let (ends, corners) = ([*a, *b], &[*p, *q]);
+        let line = LineDraw { ends, corners, provoking: p, area: frame.scissor(), before };
+        let Outcome { event, pixels } = style.draw(&line, frame, &mut self.state, shader);
+        self.event(event);
+        pixels
+    }
+
+    /// Draws points as squares of `size` pixels about their corners, one depth each.
     ///
     /// # Rounding
-    /// None: the pixels are those whose centres lie in the half-open square about the corner as it
-    /// is (OpenGL 4.6, section 14.4).
+    /// None: the pixels are those of [`PointSquare`].
     pub fn points<'t, H, F, D>(
         &mut self,
         frame: &mut Frame<'_, F, D>,
@@ -193,45 +243,24 @@ impl<S: State> ScreenPass<S> {
         F: Format,
         D: Supplies<Access<S>>,
     {
+        let (area, picture) = (frame.scissor(), frame.picture());
+        let prepared = &shader.prepare(&context(picture));
+        let bound = &Bound { shader, prepared };
+        let state = &mut self.state;
+        if size == 1 && has_one_stride::<S, F, D>(frame) {
+            single_points(frame, state, bound, picture, &area, points);
+            return;
+        }
+        let size = u32::from(size).wrapping_mul(16);
         for (vertex, corner) in points {
-            self.event(Event::Point);
-            if !vertex.in_range(frame.picture()) {
-                self.event(Event::Skipped);
-                continue;
-            }
-            if size == 0 {
-                self.event(Event::Degenerate);
-                continue;
-            }
-            let triangle = &Triangle { v: [*vertex; 3], area: 1, flipped: false };
-            let fill = Fill { triangle, corners: &[*corner; 3], provoking: corner };
-            let mut walk = PointWalk::new(vertex, size, frame.scissor());
-            let drawn = self.fill(frame, shader, &fill, &mut walk);
-            self.event(if drawn { Event::Drawn } else { Event::Outside });
+            state.counter().event(Event::Point);
+            let event = if vertex.in_range(picture) {
+                draw_point(vertex, corner, size, &area, frame, state, bound)
+            } else {
+                Event::Skipped
+            };
+            state.counter().event(event);
         }
-    }
-
-    /// Draws what a walk finds; whether that was anything.
-    fn fill<H, F, D, W>(
-        &mut self,
-        frame: &mut Frame<'_, F, D>,
-        shader: &H,
-        fill: &Fill<'_, H::Varying>,
-        walk: &mut W,
-    ) -> bool
-    where
-        W: SpanWalk,
-        H: Shader,
-        F: Format,
-        D: Supplies<Access<S>>,
-    {
-        let mut batch = SpanBatch::default();
-        walk.next_spans(&mut batch);
-        if batch.is_empty() {
-            return false;
-        }
-        fill.draw(frame, &mut self.state, shader, walk, &mut batch);
-        true
     }
 
     #[inline(always)]
@@ -251,6 +280,8 @@ impl<S: State> ScreenPass<S> {
         F: Format,
         D: Supplies<Access<S>>,
     {
+        let prepared = &shader.prepare(&context(frame.picture()));
+        let bound = &Bound { shader, prepared };
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         let culled = CulledWindings::new(self.cull, self.front);
         let area = frame.scissor();
@@ -281,10 +312,17 @@ impl<S: State> ScreenPass<S> {
             Fill { triangle, corners: &ordered, provoking: p }.draw(
                 frame,
                 &mut self.state,
-                shader,
+                bound,
                 &mut walk,
                 &mut batch,
             );
         }
     }
+}
+
+/// What a shader sees of a draw without a camera: the screen, and matrices that change nothing.
+fn context(viewport: Size) -> DrawContext {
+    let none = Mat4::identity();
+    let (scale, offset) = (Vec3::ONE, Vec3::ZERO);
+    DrawContext { model: none, view: none, projection: none, scale, offset, viewport }
 }

@@ -1,5 +1,4 @@
-use super::{Edge, LongEdge, Point, ScreenVertex, Span, SpanBatch, SpanWalk, Triangle};
-use crate::frame::Rect;
+use super::{Edge, LongEdge, Path, Pixel, Point, ScreenVertex, Steps, Triangle};
 
 /// A line one pixel wide, from a first corner to a last one, by the diamond-exit rule.
 ///
@@ -75,125 +74,132 @@ impl Line {
         (from < to || head.is_some()).then_some(Self { first, last, by_columns, from, to, head })
     }
 
-    /// The pixels between the ends, limited to `area`; attributes are in range there.
-    pub(crate) fn walk(&self, area: Rect) -> LineWalk {
-        self.walk_over(self.from, self.to, area)
-    }
-
     /// The pixel about the first corner whose centre lies before it, so that attributes have to be
     /// the corner's.
-    pub(crate) fn head(&self, area: Rect) -> Option<LineWalk> {
-        self.head.map(|head| self.walk_over(head, head.wrapping_add(1), area))
+    pub(crate) fn head(&self) -> Option<Pixel> {
+        let (x, y) = (self.first.x_bits(), self.first.y_bits());
+        self.head.map(|at| {
+            if self.by_columns {
+                Pixel { x: at, y: y >> 4 }
+            } else {
+                Pixel { x: x.wrapping_sub(1) >> 4, y: at }
+            }
+        })
     }
 
-    /// A triangle whose attribute planes are those of the line, steps along its longer side:
-    /// the third corner has the attributes of the first.
-    pub(crate) fn plane_triangle(&self) -> Triangle {
-        let (a, b) = (self.first, self.last);
-        let width = b.x_bits().wrapping_sub(a.x_bits());
-        let height = b.y_bits().wrapping_sub(a.y_bits());
-        let (x, y, side) = if self.by_columns { (0, width, width) } else { (height, 0, height) };
-        let (x, y) = if self.by_columns { (x, y) } else { (x.wrapping_neg(), y) };
-        let c =
-            ScreenVertex::from_bits(a.x_bits().wrapping_add(x), a.y_bits().wrapping_add(y), a.z);
-        let area = i64::from(side).wrapping_mul(side.into()).max(1);
-        Triangle { v: [a, b, c], area, flipped: false }
-    }
-
-    fn walk_over(&self, from: i32, to: i32, area: Rect) -> LineWalk {
-        let Self { first: a, last: b, by_columns, .. } = self;
-        let (low, high) =
-            if *by_columns { (area.left, area.right) } else { (area.top, area.bottom) };
-        let (at, end) = (from.max(low), to.min(high));
+    /// The pixels between the ends; attributes are in range there.
+    pub(crate) fn path(&self) -> LinePath {
+        let Self { first: a, last: b, by_columns, from, to, .. } = *self;
         // Upright, going down, and less half a pixel: then the walk along an edge finds
         // ceil(crossing) - 1, the pixel that holds the crossing if a tie counts to the smaller side.
         let upright = |v: &ScreenVertex, mirror: bool| {
             let (minor, major) =
-                if *by_columns { (v.y_bits(), v.x_bits()) } else { (v.x_bits(), v.y_bits()) };
+                if by_columns { (v.y_bits(), v.x_bits()) } else { (v.x_bits(), v.y_bits()) };
             let minor = if mirror { minor.wrapping_neg() } else { minor };
             Point { x: minor.wrapping_sub(8), y: major }
         };
         // Columns: the line is moved to the left, so that one that falls to the right has its ties
         // on the larger side.
         let rise = (b.y_bits() > a.y_bits()) == (b.x_bits() > a.x_bits());
-        let mirrored = *by_columns && rise && a.y_bits() != b.y_bits();
-        let (a, b) = (upright(a, mirrored), upright(b, mirrored));
+        let mirrored = by_columns && rise && a.y_bits() != b.y_bits();
+        let (a, b) = (upright(&a, mirrored), upright(&b, mirrored));
         let (a, b) = if a.y < b.y { (a, b) } else { (b, a) };
-        let edge = if at < end { LongEdge::new(a, b, at) } else { LongEdge::default() };
-        LineWalk { edge, at, end, first: from, behind: to, area, by_columns: *by_columns, mirrored }
+        let edge = if from < to { LongEdge::new(a, b, from) } else { LongEdge::default() };
+        LinePath { edge, from, to, by_columns, mirrored }
     }
 }
 
-/// A line being walked.
+/// A triangle whose attribute planes are those of a line, steps along its longer side: the third
+/// corner has the attributes of the first. Columns are where the line is counted: of one that is
+/// higher than wide they are the rows.
+pub(crate) fn plane_triangle([a, b]: &[ScreenVertex; 2], by_columns: bool) -> Triangle {
+    let lying = |v: &ScreenVertex| {
+        let (x, y) = (v.x_bits(), v.y_bits());
+        if by_columns {
+            *v
+        } else {
+            ScreenVertex::from_bits(y, x, v.z)
+        }
+    };
+    let (a, b) = (lying(a), lying(b));
+    let side = b.x_bits().wrapping_sub(a.x_bits());
+    let c = ScreenVertex::from_bits(a.x_bits(), a.y_bits().wrapping_add(side), a.z);
+    let area = i64::from(side).wrapping_mul(side.into()).max(1);
+    Triangle { v: [a, b, c], area, flipped: false }
+}
+
+/// Steps after which [`LinePath`] looks anew where the line is.
+pub(super) const STRIDE: i32 = 256;
+
+/// The pixels of a [`Line`] between its ends.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct LineWalk {
+pub(crate) struct LinePath {
+    /// At `from`.
     edge: LongEdge,
-    /// The next column (or row), and the one behind the last.
-    at: i32,
-    end: i32,
-    /// The first column before any scissor.
-    first: i32,
-    /// The first column behind, before any scissor.
-    behind: i32,
-    area: Rect,
+    from: i32,
+    to: i32,
     by_columns: bool,
     /// Rows are counted upwards.
     mirrored: bool,
 }
 
-impl LineWalk {
-    /// The row of the next column.
-    fn row(&self) -> i32 {
+impl Path for LinePath {
+    type Steps = LineSteps;
+
+    #[inline(always)]
+    fn by_columns(&self) -> bool {
+        self.by_columns
+    }
+
+    #[inline(always)]
+    fn ends(&self) -> (i32, i32) {
+        (self.from, self.to)
+    }
+
+    #[inline(always)]
+    fn minor(&self, at: i32) -> i32 {
+        let column = self.edge.after(at.wrapping_sub(self.from)).column();
         if self.mirrored {
-            !self.edge.column()
+            !column
         } else {
-            self.edge.column()
+            column
         }
     }
 
-    fn step(&mut self) {
-        self.edge.step();
-        self.at = self.at.wrapping_add(1);
+    #[inline(always)]
+    fn steps(&self, at: i32) -> LineSteps {
+        let (fraction, _, step) = self.edge.after(at.wrapping_sub(self.from)).parts();
+        LineSteps { fraction, step }
+    }
+
+    #[inline(always)]
+    fn least_step(&self) -> (i32, i32) {
+        let (_, whole, _) = self.edge.parts();
+        if self.mirrored {
+            (whole.wrapping_neg(), -1)
+        } else {
+            (whole, 1)
+        }
+    }
+
+    #[inline(always)]
+    fn good_until(&self, at: i32) -> i32 {
+        at.wrapping_add(STRIDE)
     }
 }
 
-impl SpanWalk for LineWalk {
-    #[inline(never)]
-    fn next_spans(&mut self, batch: &mut SpanBatch) {
-        batch.clear();
-        while self.at < self.end {
-            if !batch.has_room() {
-                batch.more();
-                return;
-            }
-            let Rect { left, top, right, bottom } = self.area;
-            if self.by_columns {
-                let (y, start) = (self.row(), self.at);
-                while self.at < self.end && self.row() == y {
-                    self.step();
-                }
-                if top <= y && y < bottom {
-                    batch.push(Span {
-                        y,
-                        first: self.first,
-                        left: start,
-                        right: self.at,
-                        behind: self.behind,
-                    });
-                }
-            } else {
-                let (x, y) = (self.edge.column(), self.at);
-                self.step();
-                if left <= x && x < right {
-                    batch.push(Span {
-                        y,
-                        first: x,
-                        left: x,
-                        right: x.wrapping_add(1),
-                        behind: x.wrapping_add(1),
-                    });
-                }
-            }
-        }
+/// Steps across a line, by what a fraction carries.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LineSteps {
+    fraction: u32,
+    step: u32,
+}
+
+impl Steps for LineSteps {
+    #[inline(always)]
+    fn carries(&mut self) -> bool {
+        let carries;
+        (self.fraction, carries) = self.fraction.overflowing_add(self.step);
+        carries
     }
 }

@@ -25,6 +25,11 @@ const ROUND_UP: i64 = (1 << FRACTION) - (1 << (FRACTION - 22));
 // A row's slope is off by less than a unit, over all rows, and the start by one more.
 const _: () = assert!(LONGEST / 16 + 2 < 1 << (FRACTION - 22), "less than half a distance");
 const _: () = assert!(16 * LONGEST == 1 << 21, "the distance of crossings");
+// Of a line whose fraction is cut to 32 bits: what is left of it after so many steps.
+const _: () = assert!(
+    LONGEST / 16 + 2 + ((super::line::STRIDE as i64 + 1) << (FRACTION - 32)) < 1 << (FRACTION - 22),
+    "still less than half a distance"
+);
 // Slope times subpixels down is at most the longest side.
 const _: () = assert!(LONGEST <= (i64::MAX >> FRACTION) / 2, "products fit");
 
@@ -108,6 +113,23 @@ impl LongEdge {
         let along = step.wrapping_mul(down.into()) >> 4;
         let from = i64::from(a.x.wrapping_sub(8)).wrapping_shl(FRACTION - 4);
         Self { x: from.wrapping_add(along).wrapping_add(ROUND_UP), step }
+    }
+}
+
+impl LongEdge {
+    /// The same walk so many rows further down.
+    #[inline(always)]
+    pub(crate) const fn after(&self, rows: i32) -> Self {
+        Self { x: self.x.wrapping_add(self.step.wrapping_mul(rows as i64)), step: self.step }
+    }
+
+    /// The fraction of the column, and the columns of a step: whole ones, rounded down, and 32
+    /// bits of fraction.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "slopes of lines are within one column")]
+    pub(crate) const fn parts(&self) -> (u32, i32, u32) {
+        const DOWN: u32 = FRACTION - 32;
+        ((self.x >> DOWN) as u32, (self.step >> FRACTION) as i32, (self.step >> DOWN) as u32)
     }
 }
 

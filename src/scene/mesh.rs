@@ -74,7 +74,7 @@ impl<'a, A, T: Topology> Mesh<'a, A, T> {
         Mesh { topology: IndexedList::new(indices), vertices: self.vertices }
     }
 
-    /// Triangles in any way.
+    /// Triangles, lines or points in any way.
     #[must_use]
     pub const fn with_topology<N: Topology>(self, topology: N) -> Mesh<'a, A, N> {
         Mesh { topology, vertices: self.vertices }
@@ -94,9 +94,9 @@ impl<'a, A, T: Topology> Mesh<'a, A, T> {
         self
     }
 
-    /// How many triangles there are.
+    /// How many triangles there are; how many lines or points of a mesh of such.
     pub fn triangles(&self) -> u32 {
-        self.topology.triangles()
+        self.topology.count()
     }
 
     /// The mesh without its topology.

@@ -11,4 +11,8 @@ pub use light::{AnyLightKind, Attenuation, DirectionalLight, Light, PointLight, 
 pub use mesh::Mesh;
 pub(crate) use mesh::Vertices;
 pub use normal::{normal, Normal};
-pub use topology::{AnyTopology, IndexedList, List, Topology};
+pub use topology::{
+    AnyCursor, AnyTopology, Consecutive, FanCursor, Index, IndexedList, Indices, LastProvoking,
+    LineList, LineLoop, LineStrip, LineStripCursor, List, LoopCursor, NumberCursor, Points,
+    RestartIndices, Sequence, Step, StripCursor, Topology, TriangleFan, TriangleStrip,
+};

@@ -60,12 +60,12 @@ impl<C: Coloring> Shader for Flat<C> {
     }
 
     #[inline(always)]
-    fn fragment(&self, varying: &FlatColor) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, varying: &FlatColor) -> Option<Color> {
         Some(varying.color())
     }
 
     #[inline(always)]
-    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, FlatColor>) {
+    fn span<S: State, F: Format>(&self, _: &Self::Prepared, row: Row<'_, S, F, FlatColor>) {
         let color = row.varying.color();
         row.fill(color);
     }

@@ -107,8 +107,12 @@ impl<S: Shader, A: FogPlace, M: PerspectiveMode> Shader for Fogged<S, A, M> {
     }
 
     #[inline(always)]
-    fn fragment(&self, (varying, fog): &Self::Varying) -> Option<Color> {
-        let color = self.shader.fragment(varying)?;
+    fn fragment(
+        &self,
+        (prepared, _): &Self::Prepared,
+        (varying, fog): &Self::Varying,
+    ) -> Option<Color> {
+        let color = self.shader.fragment(prepared, varying)?;
         Some(self.fog.over(color, A::seen(&self.fog, fog.get())))
     }
 }

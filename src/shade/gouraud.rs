@@ -55,12 +55,12 @@ impl<C: Coloring> Shader for Gouraud<C> {
     }
 
     #[inline(always)]
-    fn fragment(&self, varying: &SmoothColor) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, varying: &SmoothColor) -> Option<Color> {
         Some(varying.color())
     }
 
     #[inline(always)]
-    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, SmoothColor>) {
+    fn span<S: State, F: Format>(&self, _: &Self::Prepared, row: Row<'_, S, F, SmoothColor>) {
         row.each_as_is(|varying| varying.color());
     }
 }

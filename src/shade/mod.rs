@@ -13,7 +13,10 @@ mod fogged;
 mod gouraud;
 mod interpolated;
 mod lighting;
+mod matcap;
 mod perspective;
+mod phong;
+mod point_coordinates;
 mod row;
 mod scalar;
 mod scalars;
@@ -39,15 +42,19 @@ pub use lighting::{
     Beam, BlinnPhong, Lambert, LightKind, Lighting, PreparedAnyLight, PreparedBlinnPhong,
     PreparedLambert, PreparedPoint, PreparedSpot, Surface, Tinted,
 };
+pub use matcap::Matcap;
 pub use perspective::{
     Adaptive, Affine, AffineValue, Every, Exact, ExactStep, ExactValue, Interval, Perspective,
     PerspectiveCorner, PerspectiveMode, PerspectivePlanes, PerspectiveVarying, Subspan,
     SubspanValue,
 };
+pub use phong::Phong;
+pub use point_coordinates::PointCoordinates;
 pub use row::Row;
 pub use scalar::Scalar;
 pub use scalars::{Scalars, ScalarsPlanes};
-pub use shader::{DrawContext, Shader, VertexInput};
+pub(crate) use shader::Bound;
+pub use shader::{DrawContext, Fragments, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
 pub use state::{

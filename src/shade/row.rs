@@ -181,7 +181,11 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
             self.walk(false, |_| Some(source));
         } else {
             self.counter.pixels(u32::try_from(self.pixels.len()).unwrap_or(u32::MAX));
-            output.fill::<F>(self.pixels, color, self.x, self.y);
+            match self.pixels {
+                // Where it is known that there is but one, nothing is called.
+                [pixel] if S::Output::PLAIN => *pixel = F::pack(color),
+                pixels => output.fill::<F>(pixels, color, self.x, self.y),
+            }
         }
     }
 }

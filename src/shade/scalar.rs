@@ -1,6 +1,6 @@
 use super::varying::mix_word;
 use super::{Interpolated, Stepped, Varying};
-use crate::raster::{Gradients, Plane, Span};
+use crate::raster::{Gradients, Plane, PointSquare, Span};
 
 /// A 16-bit number over the triangle, 16.16 while it is interpolated: heights, weights, distances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,6 +45,11 @@ impl Varying for Scalar {
     #[inline(always)]
     fn run(plane: &Plane, (): &mut (), span: &Span, x: i32) -> (Self, u32, i32) {
         (Self(plane.at(x, span.y)), plane.dx, i32::MAX)
+    }
+
+    #[inline(always)]
+    fn on_point(corner: &u16, _: &PointSquare, _x: i32, _y: i32) -> (Self, u32) {
+        (Self(u32::from(*corner) << 16 | 0x8000), 0)
     }
 
     #[inline(always)]

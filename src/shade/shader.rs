@@ -89,11 +89,52 @@ pub trait Shader {
     ) -> Corner<Self::Varying>;
 
     /// The colour of a pixel; `None` discards it: neither colour nor depth is written.
-    fn fragment(&self, varying: &Self::Varying) -> Option<Color>;
+    fn fragment(&self, prepared: &Self::Prepared, varying: &Self::Varying) -> Option<Color>;
 
     /// A run of pixels. Override to hoist work out of the loop, or to fill.
     #[inline(always)]
-    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, Self::Varying>) {
-        row.each(|varying| self.fragment(varying));
+    fn span<S: State, F: Format>(
+        &self,
+        prepared: &Self::Prepared,
+        row: Row<'_, S, F, Self::Varying>,
+    ) {
+        row.each(|varying| self.fragment(prepared, varying));
+    }
+}
+
+/// What draws pixels: a shader, and what it prepared for the draw.
+#[doc(hidden)]
+pub trait Fragments {
+    /// What is interpolated.
+    type Varying: Varying;
+    /// As [`Shader::COLOR_AS_IS`].
+    const COLOR_AS_IS: bool;
+
+    /// The colour of a pixel.
+    fn fragment(&self, varying: &Self::Varying) -> Option<Color>;
+
+    /// A run of pixels.
+    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, Self::Varying>);
+}
+
+/// A shader that is ready for a draw.
+#[derive(Debug)]
+pub(crate) struct Bound<'a, H: Shader> {
+    pub(crate) shader: &'a H,
+    pub(crate) prepared: &'a H::Prepared,
+}
+
+impl<H: Shader> Fragments for Bound<'_, H> {
+    type Varying = H::Varying;
+    const COLOR_AS_IS: bool = H::COLOR_AS_IS;
+
+    #[inline(always)]
+    fn fragment(&self, varying: &H::Varying) -> Option<Color> {
+        self.shader.fragment(self.prepared, varying)
+    }
+
+    #[inline(always)]
+    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, H::Varying>) {
+        self.shader.span(self.prepared, row);
     }
 }

@@ -1,7 +1,7 @@
 use super::flat_color::mix_color;
 use super::{Interpolated, Stepped, Varying};
 use crate::color::{Color, Format};
-use crate::raster::{Gradients, Plane, Slopes, Span};
+use crate::raster::{Gradients, Plane, PointSquare, Slopes, Span};
 
 /// A colour interpolated over the triangle, linear on the screen (Gouraud).
 ///
@@ -95,6 +95,11 @@ impl Varying for SmoothColor {
         let y = span.y;
         let color = Color { blue_red: planes.blue_red.at(x, y), green: planes.green.at(x, y) };
         (Self(color), (planes.blue_red.dx, planes.green.dx), i32::MAX)
+    }
+
+    #[inline(always)]
+    fn on_point(corner: &Color, _: &PointSquare, _x: i32, _y: i32) -> (Self, (u32, u32)) {
+        (Self(*corner), (0, 0))
     }
 
     #[inline]

@@ -107,13 +107,13 @@ where
 
     /// From the largest picture, where there are several.
     #[inline(always)]
-    fn fragment(&self, (surface, uv): &Self::Varying) -> Option<Color> {
-        let color = self.surface.fragment(surface)?;
+    fn fragment(&self, prepared: &B::Prepared, (surface, uv): &Self::Varying) -> Option<Color> {
+        let color = self.surface.fragment(prepared, surface)?;
         Some(self.environment.combine(self.sampler.fetch(uv.u, uv.v)?, color))
     }
 
     #[inline(always)]
-    fn span<T: State, F: Format>(&self, row: Row<'_, T, F, Self::Varying>) {
+    fn span<T: State, F: Format>(&self, prepared: &B::Prepared, row: Row<'_, T, F, Self::Varying>) {
         let step = <Perspective<Uv, M>>::inner_step(&row.step().1);
         let sampler = self.sampler.level(|| footprint(step));
         if <Perspective<Uv, M>>::LINEAR {
@@ -128,7 +128,7 @@ where
             });
         }
         row.each(|(surface, uv)| {
-            let color = self.surface.fragment(surface)?;
+            let color = self.surface.fragment(prepared, surface)?;
             Some(self.environment.combine(sampler.fetch(uv.u, uv.v)?, color))
         });
     }

@@ -18,7 +18,7 @@ impl Shader for Unlit {
     fn vertex(&self, (): &(), _vertex: VertexInput<'_, ()>) {}
 
     #[inline(always)]
-    fn fragment(&self, (): &()) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, (): &()) -> Option<Color> {
         Some(Color::new(255, 255, 255))
     }
 }

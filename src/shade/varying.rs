@@ -1,5 +1,5 @@
 use crate::color::Format;
-use crate::raster::{Gradients, Span};
+use crate::raster::{Gradients, PointSquare, Span};
 
 /// What a shader's `vertex` gives for one corner of a triangle.
 pub type Corner<V> = <V as Varying>::Corner;
@@ -59,6 +59,22 @@ pub trait Varying: Stepped {
         span: &Span,
         x: i32,
     ) -> (Self, Self::Step, i32);
+
+    /// The value at a pixel of a point whose corner has this value, and the step to the pixel's
+    /// right neighbour: the same everywhere, unless it is about the point's square.
+    #[inline(always)]
+    fn on_point(
+        corner: &Self::Corner,
+        _square: &PointSquare,
+        _x: i32,
+        _y: i32,
+    ) -> (Self, Self::Step) {
+        let planes = Self::planes(&Gradients::NONE, &[*corner; 3], corner, false);
+        let span = Span::default();
+        let mut runs = Self::runs(&planes, &span);
+        let (value, step, _) = Self::run(&planes, &mut runs, &span, 0);
+        (value, step)
+    }
 
     /// Makes planes good for the [`PIECE`](Self::PIECE) pixels of row `y` from `x` on.
     fn settle(planes: &mut Self::Planes, x: i32, y: i32);
@@ -174,6 +190,17 @@ macro_rules! groups {
             #[inline(always)]
             fn runs(planes: &Self::Planes, span: &Span) -> Self::Runs {
                 ($($group::runs(&planes.$number, span),)+)
+            }
+
+            #[inline(always)]
+            fn on_point(
+                corner: &Self::Corner,
+                square: &PointSquare,
+                x: i32,
+                y: i32,
+            ) -> (Self, Self::Step) {
+                $(let $value = $group::on_point(&corner.$number, square, x, y);)+
+                (($($value.0,)+), ($($value.1,)+))
             }
 
             #[inline(always)]

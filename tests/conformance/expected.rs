@@ -84,11 +84,20 @@ impl Expected {
     /// How much depth changes by a column and by a row together at a pixel, of what is seen there;
     /// beyond any bound where no neighbour shows the same.
     pub(crate) fn slope(&self, at: usize, width: usize) -> f64 {
-        let here = self.pixels[at];
+        self.change(at, width, |pixel| pixel.depth.into())
+    }
+
+    /// The same of a colour's channel.
+    pub(crate) fn color_slope(&self, at: usize, width: usize, channel: usize) -> f64 {
+        self.change(at, width, |pixel| pixel.color[channel].into())
+    }
+
+    fn change(&self, at: usize, width: usize, value: impl Fn(&Pixel) -> f64) -> f64 {
+        let here = &self.pixels[at];
         let to = |neighbor: Option<usize>| {
             let there = self.pixels.get(neighbor?)?;
             let same = there.primitive == here.primitive;
-            same.then(|| (f64::from(there.depth) - f64::from(here.depth)).abs())
+            same.then(|| (value(there) - value(here)).abs())
         };
         let by = |step: usize| to(at.checked_sub(step)).or_else(|| to(at.checked_add(step)));
         by(1).unwrap_or(f64::INFINITY) + by(width).unwrap_or(f64::INFINITY)

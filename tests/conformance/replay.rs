@@ -9,73 +9,87 @@
 
 use microraster::math::{Mat4, Vec4};
 use microraster::raster::{ScreenVertex, SUBPIXELS};
+use microraster::texture::{AnyFilter, AnySampler, AnyTexture, AnyWrap, Environment};
+use microraster::texture::{Modulate, Sample, Texture};
 use microraster::{
-    AnyDepth, Camera, Clip, Color, Cull, DepthBuffer, DrawContext, Flat, Frame, Gouraud, Mesh,
-    Pass, Rgb16, Rgba8888, ScreenPass, Shader, Size, SmoothColor, Stats, VertexInput, Winding,
+    AnyBlend, AnyDepth, AnyDepthState, Camera, Clip, Color, Cull, DepthBuffer, DrawContext, Exact,
+    Frame, Mesh, Pass, Perspective, PerspectiveCorner, Rgb16, Rgba8888, Scalar, ScreenPass, Shader,
+    Size, SmoothColor, Stats, Thin, Uv, VertexInput, Winding,
 };
 
 use crate::expected::{Coverage, Expected};
-use crate::scene::{Draw, Kind, Scene, Vertex};
+use crate::scene::{Draw, Kind, Scene, Texels, Vertex};
 
-/// Takes positions and colours as they come.
-struct ClipShader;
+/// A corner as a scene gives it: colour and alpha, and a place in the texture.
+type Attributes = (PerspectiveCorner<(Color, u16)>, PerspectiveCorner<[i16; 2]>);
 
-impl Shader for ClipShader {
-    type Vertex = (Clip, Color);
-    type Varying = SmoothColor;
+/// Takes positions and attributes as they come; multiplies with the texture, if there is one.
+struct SceneShader<'a> {
+    sampler: Option<AnySampler<'a>>,
+}
+
+impl Shader for SceneShader<'_> {
+    type Vertex = (Clip, Attributes);
+    type Varying = (Perspective<(SmoothColor, Scalar), Exact>, Perspective<Uv, Exact>);
     type Prepared = ();
     const OWN_POSITIONS: bool = true;
 
     fn prepare(&self, _: &DrawContext) {}
 
-    fn position(&self, (): &(), (clip, _): &(Clip, Color)) -> Option<Clip> {
+    fn position(&self, (): &(), (clip, _): &(Clip, Attributes)) -> Option<Clip> {
         Some(*clip)
     }
 
-    fn vertex(&self, (): &(), vertex: VertexInput<'_, (Clip, Color)>) -> Color {
+    fn vertex(&self, (): &(), vertex: VertexInput<'_, (Clip, Attributes)>) -> Attributes {
         vertex.attributes.1
     }
 
-    fn fragment(&self, varying: &SmoothColor) -> Option<Color> {
-        Some(varying.color())
-    }
-}
-
-/// What of a draw the crate cannot do yet, so that its colours or depths are not compared.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Limits {
-    pub(crate) color: Option<&'static str>,
-    pub(crate) depth: Option<&'static str>,
-}
-
-impl Limits {
-    pub(crate) fn of(scene: &Scene) -> Self {
-        let mut limits = Self::default();
-        for draw in &scene.draws {
-            let uneven_w = |p: &[Vertex]| p.iter().any(|v| v.position[3] != p[0].position[3]);
-            let uneven_color = |p: &[Vertex]| p.iter().any(|v| v.color != p[0].color);
-            let perspective = draw.setting("perspective") == "1" && draw.setting("shade") != "flat";
-            if draw.setting("textured") == "1" {
-                limits.color = Some("textures");
-            } else if draw.setting("blend") != "none" {
-                limits.color = Some("blending");
-            } else if perspective && draw.primitives().any(|p| uneven_w(p) && uneven_color(p)) {
-                limits.color = Some("perspective-correct varyings");
-            }
-            let tested = !matches!(draw.setting("depth_test"), "none" | "always");
-            if draw.setting("depth_write") == "0" && tested {
-                limits.depth = Some("a depth test that does not write");
-            }
-            if draw.kind == Kind::Lines {
-                // The rules leave how attributes run along a line to the implementation.
-                limits.color = Some("attributes of lines");
-                if tested {
-                    limits.depth = Some("attributes of lines");
-                }
-            }
+    fn fragment(&self, (): &(), (surface, uv): &Self::Varying) -> Option<Color> {
+        let (color, alpha) = **surface;
+        let color = color.color().with_alpha((alpha.get() >> 8) as u8);
+        match &self.sampler {
+            Some(sampler) => Some(Modulate.combine(sampler.fetch(uv.u, uv.v)?, color)),
+            None => Some(color),
         }
-        limits
     }
+}
+
+/// A texture in the crate's own words.
+enum Words {
+    Rgb565(Vec<u16>),
+    Rgba8888(Vec<u32>),
+}
+
+impl Words {
+    fn of(texels: &Texels) -> Self {
+        if texels.is_rgb565 {
+            let words = texels.bytes.chunks_exact(2);
+            Self::Rgb565(words.map(|word| u16::from_le_bytes([word[0], word[1]])).collect())
+        } else {
+            let words = texels.bytes.chunks_exact(4);
+            let word = |word: &[u8]| u32::from_ne_bytes([word[0], word[1], word[2], word[3]]);
+            Self::Rgba8888(words.map(word).collect())
+        }
+    }
+
+    fn sampler(&self, texels: &Texels, unit_bits: u32) -> AnySampler<'_> {
+        let (width, height) = (texels.width, texels.height);
+        let texture = match self {
+            Self::Rgb565(words) => Texture::new(words, width, height).map(AnyTexture::Rgb565),
+            Self::Rgba8888(words) => Texture::new(words, width, height).map(AnyTexture::Rgba8888),
+        };
+        let filter = if texels.is_linear { AnyFilter::Bilinear } else { AnyFilter::Nearest };
+        let wrap = if texels.repeats { AnyWrap::Repeat } else { AnyWrap::Clamp };
+        let texture = texture.expect("texels for its size");
+        let sampler = AnySampler::new(texture, filter, wrap, wrap);
+        sampler.expect("sides that are powers of two").unit_bits(unit_bits)
+    }
+}
+
+/// The most units a repeat may have for coordinates to fit 16 bits: log2.
+fn unit_bits(draw: &Draw) -> u32 {
+    let largest = draw.vertices.iter().flat_map(|v| v.uv).fold(0.0, |a: f32, b| a.max(b.abs()));
+    (0..=15).rev().find(|bits| largest * (1 << bits) as f32 <= 32_767.0).unwrap_or(0)
 }
 
 /// What colours are drawn.
@@ -122,14 +136,45 @@ fn draw_primitive(
         Paint::Color if flat => color_of(corners[provoking].color),
         Paint::Color => color_of(v.color),
     };
-    let depth = match (paint, draw.setting("depth_test"), draw.setting("depth_write")) {
-        (Paint::Coverage, ..) | (_, _, "0") => AnyDepth::Off,
-        (_, "less", _) => AnyDepth::Less,
-        (_, "lequal", _) => AnyDepth::LessEqual,
-        (_, "equal", _) => AnyDepth::Equal,
-        (_, "greater", _) => AnyDepth::Greater,
+    let alpha = |v: &Vertex| {
+        let v = if flat { &corners[provoking] } else { v };
+        (f64::from(v.color[3].clamp(0.0, 1.0)) * 65535.0).round() as u16
+    };
+    let bits = unit_bits(draw);
+    let uv = |v: &Vertex| v.uv.map(|c| (f64::from(c) * f64::from(1 << bits)).round() as i16);
+    // Screen vertices bring their w along; the largest of a primitive comes near 2^30.
+    let largest_w = corners.iter().map(|v| v.position[3]).fold(0.0, f32::max);
+    // A number is not interpolated.
+    let even = draw.setting("perspective") == "0" || paint != Paint::Color;
+    let w = |v: &Vertex| match scene.clip || even {
+        true => 1,
+        false => (f64::from(v.position[3]) / f64::from(largest_w) * 1e9) as i32,
+    };
+    let attributes = |v: &Vertex| {
+        let (surface, w) = ((color(v), alpha(v)), w(v));
+        (PerspectiveCorner::new(surface, w), PerspectiveCorner::new(uv(v), w))
+    };
+    let test = match draw.setting("depth_test") {
+        "less" => AnyDepth::Less,
+        "lequal" => AnyDepth::LessEqual,
+        "equal" => AnyDepth::Equal,
+        "greater" => AnyDepth::Greater,
         _ => AnyDepth::Always,
     };
+    let mut depth = AnyDepthState::new(if paint == Paint::Coverage { AnyDepth::Off } else { test });
+    depth.read_only = draw.setting("depth_write") == "0";
+    let blend = match (paint, draw.setting("blend")) {
+        (Paint::Color, "alpha") => AnyBlend::Alpha,
+        (Paint::Color, "add") => AnyBlend::Add,
+        (Paint::Color, "mul") => AnyBlend::Multiply,
+        (Paint::Color, "premul") => AnyBlend::Premultiplied,
+        _ => AnyBlend::Replace,
+    };
+    let is_textured = paint == Paint::Color && draw.setting("textured") == "1";
+    let texture = scene.texture.as_ref().filter(|_| is_textured);
+    let words = texture.map(|texels| (Words::of(texels), texels));
+    let sampler = words.as_ref().map(|(words, texels)| words.sampler(texels, bits));
+    let shader = SceneShader { sampler };
     let cull = match draw.setting("cull") {
         "back" => Cull::Back,
         "front" => Cull::Front,
@@ -145,7 +190,7 @@ fn draw_primitive(
             let [x, y, z, w] = v.position;
             // The crate's depth runs from 1 at the near plane to 0.
             let clip = Clip::from_f32(Vec4::new(x, y, w - z, w), scale)?;
-            Some((clip, color(v)))
+            Some((clip, attributes(v)))
         };
         let vertices: Option<Vec<_>> = corners.iter().map(vertex).collect();
         let Some(vertices) = vertices else {
@@ -153,22 +198,22 @@ fn draw_primitive(
         };
         let camera = Camera::custom(Mat4::identity());
         let mesh = Mesh::new(&[], &vertices);
-        let pass = Pass::new(&camera).cull(cull).front_face(winding).depth(depth);
-        pass.count(&mut stats).draw(frame, &Mat4::identity(), &mesh, &ClipShader);
+        let pass = Pass::new(&camera).cull(cull).front_face(winding).depth(depth).blend(blend);
+        pass.count(&mut stats).draw(frame, &Mat4::identity(), &mesh, &shader);
         return stats.skipped == 0;
     }
     let vertex = |v: &Vertex| {
         let [x, y, z, _] = v.position;
-        (ScreenVertex::from_bits(x as i32, y as i32, screen_code(z)), color(v))
+        (ScreenVertex::from_bits(x as i32, y as i32, screen_code(z)), attributes(v))
     };
-    let mut pass = ScreenPass::new().cull(cull).front_face(winding).depth(depth).count(&mut stats);
-    match (corners, flat) {
-        ([a, b, c], true) => pass.triangle(frame, &Flat::colored(), &[a, b, c].map(vertex)),
-        ([a, b, c], false) => pass.triangle(frame, &Gouraud::colored(), &[a, b, c].map(vertex)),
-        ([a, b], _) => pass.lines(frame, &Gouraud::colored(), &[[a, b].map(vertex)]),
+    let pass = ScreenPass::new().cull(cull).front_face(winding).depth(depth).blend(blend);
+    let mut pass = pass.count(&mut stats);
+    match corners {
+        [a, b, c] => pass.triangle(frame, &shader, &[a, b, c].map(vertex)),
+        [a, b] => pass.lines(frame, &shader, Thin, &[[a, b].map(vertex)]),
         _ => {
             let size = draw.setting("point_size").parse().expect("a whole size");
-            pass.points(frame, &Gouraud::colored(), size, &[vertex(&corners[0])]);
+            pass.points(frame, &shader, size, &[vertex(&corners[0])]);
         }
     }
     stats.skipped == 0
@@ -195,7 +240,7 @@ pub(crate) struct Report {
 }
 
 /// Draws the scene and compares.
-pub(crate) fn replay(scene: &Scene, expected: &Expected, limits: Limits) -> Report {
+pub(crate) fn replay(scene: &Scene, expected: &Expected) -> Report {
     let size = Size::new(scene.width, scene.height);
     let pixels = usize::from(scene.width) * usize::from(scene.height);
     let mut report = Report::default();
@@ -207,6 +252,10 @@ pub(crate) fn replay(scene: &Scene, expected: &Expected, limits: Limits) -> Repo
         let (mut color, mut depth) = (vec![0u32; pixels], vec![0u16; pixels]);
         let frame = Frame::<Rgba8888>::new(&mut color, size).expect("a buffer that fits");
         let mut frame = frame.with_depth(&mut depth).expect("a buffer that fits");
+        if paint == Paint::Color {
+            let [r, g, b, _] = scene.clear;
+            frame.clear_color(Color::new(r, g, b));
+        }
         let mut skipped = 0;
         for (number, (draw, corners)) in numbered() {
             if only.is_none_or(|only| only == number) {
@@ -237,9 +286,6 @@ pub(crate) fn replay(scene: &Scene, expected: &Expected, limits: Limits) -> Repo
     for (i, pixel) in expected.pixels.iter().enumerate().filter(|(_, p)| !p.ambiguous) {
         report.compared += 1;
         report.counts += usize::from(counts[i] != pixel.count);
-        if limits.depth.is_some() {
-            continue;
-        }
         let seen = (numbers[i] & 0xFFFF) as i32 - 1;
         if seen != i32::from(pixel.primitive) {
             report.primitives += 1;
@@ -259,12 +305,12 @@ pub(crate) fn replay(scene: &Scene, expected: &Expected, limits: Limits) -> Repo
             let moved = if scene.clip { expected.slope(i, scene.width.into()) / 32.0 } else { 0.0 };
             report.depth = report.depth.max(difference - moved * 65535.0);
         }
-        if limits.color.is_none() {
-            for (channel, expected) in colors[i].to_le_bytes().into_iter().zip(pixel.color).take(3)
-            {
-                let difference = (i32::from(channel) - i32::from(expected)).abs();
-                report.color = report.color.max(difference);
-            }
+        for (k, channel) in colors[i].to_le_bytes().into_iter().enumerate().take(3) {
+            let difference = f64::from((i32::from(channel) - i32::from(pixel.color[k])).abs());
+            // As of depth; and what is rounded to whole steps moves by whole ones.
+            let slope = || expected.color_slope(i, scene.width.into(), k) / 32.0;
+            let moved = if scene.clip { slope().ceil() } else { 0.0 };
+            report.color = report.color.max((difference - moved) as i32);
         }
     }
     report

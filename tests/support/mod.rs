@@ -98,7 +98,7 @@ impl Shader for InClipSpace {
         Rgb::WHITE.into()
     }
 
-    fn fragment(&self, varying: &FlatColor) -> Option<Color> {
+    fn fragment(&self, _: &Self::Prepared, varying: &FlatColor) -> Option<Color> {
         Some(varying.color())
     }
 }

@@ -136,8 +136,7 @@ impl Canvas {
         // Without a far plane, clip z is the same everywhere.
         let has_far = columns(&projection).iter().take(3).any(|column| column[2] != 0.0);
         let stage = Stage { draw, viewport, has_far };
-        for number in 0..arrays.topology.triangles() as usize {
-            let Some(corners) = arrays.topology.triangle(number as u32) else { continue };
+        for (number, corners) in arrays.topology.iter().enumerate() {
             let corners = corners.map(|index| index as usize);
             let paint = paint(draw, &model, number, corners);
             self.triangle(&stage, corners.map(|i| clip[i]), &paint);
@@ -212,19 +211,29 @@ impl Canvas {
             }
             Kind::Lines => {
                 for line in corners.chunks_exact(2) {
-                    let ends = [0, 1].map(|k| {
-                        microraster::raster::ScreenVertex::from_bits(line[k].0, line[k].1, 0)
-                    });
-                    for (i, (x, y)) in pixels(size) {
-                        if crate::diamond::leaves_diamond(&ends[0], &ends[1], x, y) {
-                            let (dx, dy) = (line[1].0 - line[0].0, line[1].1 - line[0].1);
-                            let t = if dx.abs() >= dy.abs() {
-                                f64::from(16 * x + 8 - line[0].0) / f64::from(dx)
-                            } else {
-                                f64::from(16 * y + 8 - line[0].1) / f64::from(dy)
-                            };
-                            let t = t.clamp(0.0, 1.0);
-                            self.mix(i, draw.depth, line, [1.0 - t, t, 0.0]);
+                    self.line(draw.depth, line, 1, |_| true);
+                }
+            }
+            Kind::Wide(width) => {
+                for line in corners.chunks_exact(2) {
+                    self.line(draw.depth, line, width.into(), |_| true);
+                }
+            }
+            Kind::Stippled(pattern, factor) => {
+                let mut before = 0;
+                for line in corners.windows(2) {
+                    let is_on = |pixel: usize| {
+                        pattern >> ((before + pixel) / usize::from(factor) % 16) & 1 != 0
+                    };
+                    before += self.line(draw.depth, line, 1, is_on);
+                }
+            }
+            Kind::Round(side) => {
+                for point in &corners {
+                    for (i, [x, y]) in centers(size) {
+                        let (dx, dy) = (x - f64::from(point.0), y - f64::from(point.1));
+                        if dx.hypot(dy) < f64::from(side) * 8.0 {
+                            self.mix(i, draw.depth, &[*point], [1.0, 0.0, 0.0]);
                         }
                     }
                 }
@@ -244,6 +253,47 @@ impl Canvas {
                 }
             }
         }
+    }
+
+    /// A line, copied across its longer side; how many pixels it has along that.
+    fn line(
+        &mut self,
+        depth: AnyDepth,
+        line: &[ScreenCorner],
+        width: i32,
+        is_on: impl Fn(usize) -> bool,
+    ) -> usize {
+        let (dx, dy) = (line[1].0 - line[0].0, line[1].1 - line[0].1);
+        let by_columns = dx.abs() >= dy.abs();
+        let back = 8 * (width - 1);
+        let (left, up) = if by_columns { (0, back) } else { (back, 0) };
+        let ends = [0, 1].map(|k| {
+            let (x, y) = (line[k].0 - left, line[k].1 - up);
+            microraster::raster::ScreenVertex::from_bits(x, y, 0)
+        });
+        let within = |x: i32, y: i32| crate::diamond::leaves_diamond(&ends[0], &ends[1], x, y);
+        // Of what begins or goes on beside the picture, too.
+        let (rows, columns) = (i32::from(self.size.height), i32::from(self.size.width));
+        let around = (-64..rows + 64).flat_map(|y| (-64..columns + 64).map(move |x| (x, y)));
+        let mut seen: Vec<(i32, i32)> = around.filter(|&(x, y)| within(x, y)).collect();
+        let along = |x: i32, y: i32| if by_columns { x * dx.signum() } else { y * dy.signum() };
+        seen.sort_by_key(|&(x, y)| along(x, y));
+        for (number, &(x, y)) in seen.iter().enumerate() {
+            let t = if by_columns {
+                f64::from(16 * x + 8 - line[0].0) / f64::from(dx)
+            } else {
+                f64::from(16 * y + 8 - line[0].1) / f64::from(dy)
+            };
+            let t = t.clamp(0.0, 1.0);
+            for copy in 0..width {
+                let (x, y) = if by_columns { (x, y + copy) } else { (x + copy, y) };
+                let (w, h) = (i32::from(self.size.width), i32::from(self.size.height));
+                if is_on(number) && (0..w).contains(&x) && (0..h).contains(&y) {
+                    self.mix((y * w + x) as usize, depth, line, [1.0 - t, t, 0.0]);
+                }
+            }
+        }
+        seen.len()
     }
 
     fn mix(&mut self, i: usize, depth: AnyDepth, corners: &[ScreenCorner], weights: [f64; 3]) {

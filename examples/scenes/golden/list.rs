@@ -48,7 +48,7 @@ pub(crate) fn pictures() -> &'static [Picture] {
     &PICTURES
 }
 
-static PICTURES: [Picture; 19] = [
+static PICTURES: [Picture; 24] = [
     Picture {
         name: "teapot-flat",
         draws: &[Draw::Mesh(MeshDraw { shade: Shade::Flat, ..TEAPOT })],
@@ -240,6 +240,67 @@ static PICTURES: [Picture; 19] = [
         ],
         ..PLAIN
     },
+    Picture {
+        name: "wide-lines",
+        background: PAPER,
+        draws: &[Draw::Screen(ScreenDraw {
+            kind: Kind::Wide(4),
+            corner: corners::star,
+            depth: AnyDepth::Less,
+        })],
+        ..PLAIN
+    },
+    Picture {
+        name: "stipple",
+        draws: &[Draw::Screen(ScreenDraw {
+            kind: Kind::Stippled(0x1C7F, 2),
+            corner: corners::spiral,
+            depth: AnyDepth::Less,
+        })],
+        ..PLAIN
+    },
+    Picture {
+        name: "round-points",
+        band: 9,
+        background: PAPER,
+        draws: &[
+            Draw::Screen(ScreenDraw {
+                kind: Kind::Round(11),
+                corner: corners::spiral,
+                depth: AnyDepth::Less,
+            }),
+            Draw::Screen(ScreenDraw {
+                kind: Kind::Round(4),
+                corner: corners::dust,
+                depth: AnyDepth::Less,
+            }),
+        ],
+        ..PLAIN
+    },
+    // The box, each side a strip of its own.
+    Picture {
+        name: "strips",
+        draws: &[Draw::Mesh(MeshDraw {
+            shape: Shape::Strips,
+            camera: afar,
+            model: tilted,
+            ..TEAPOT
+        })],
+        ..PLAIN
+    },
+    // A fan, flat: no two triangles have the colour of the vertex that all share.
+    Picture {
+        name: "fan",
+        background: PAPER,
+        draws: &[Draw::Mesh(MeshDraw {
+            shape: Shape::Disc,
+            camera: afar,
+            model: sheet_b,
+            shade: Shade::Flat,
+            ..OPEN
+        })],
+        ..PLAIN
+    },
 ];
 
 fn lens() -> Camera {
@@ -381,6 +442,11 @@ pub(super) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
         at::<P, 16>,
         at::<P, 17>,
         at::<P, 18>,
+        at::<P, 19>,
+        at::<P, 20>,
+        at::<P, 21>,
+        at::<P, 22>,
+        at::<P, 23>,
     ];
     PICTURES.iter().zip(draws).map(|(picture, draw)| super::scene(picture.name, draw))
 }

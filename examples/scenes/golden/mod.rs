@@ -88,8 +88,14 @@ pub(crate) enum Kind {
     Triangles,
     /// Two corners each, one pixel wide.
     Lines,
+    /// Two corners each, of so many copies of a line.
+    Wide(u8),
+    /// A strip through all corners, in a pattern and each of its bits for so many pixels.
+    Stippled(u16, u8),
     /// Squares of so many pixels.
     Points(u16),
+    /// Discs of so many pixels, by point coordinates.
+    Round(u16),
 }
 
 /// The list.

@@ -6,8 +6,9 @@ use bytemuck::Pod;
 use microraster::math::Vec3;
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Color, DepthBuffer, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light, Pass, Rgb,
-    Rgb565, Rgb565Be, Rgba8888, ScreenPass, Shader, Size, Stats,
+    Color, DepthBuffer, DrawContext, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light,
+    Pass, PointCoordinates, Rgb, Rgb565, Rgb565Be, Rgba8888, ScreenPass, Shader, Size, SmoothColor,
+    Stats, Stippled, Thin, VertexInput, Wide,
 };
 
 use super::super::toon::shader::Toon;
@@ -131,6 +132,28 @@ fn through<F: Format, A, H: Shader<Vertex = A>>(
     stats
 }
 
+/// Corners of a strip at most.
+const STRIP: usize = 64;
+
+/// Colours in a disc that fills the point's square.
+struct Round;
+
+impl Shader for Round {
+    type Vertex = ();
+    type Varying = (SmoothColor, PointCoordinates);
+    type Prepared = ();
+
+    fn prepare(&self, _: &DrawContext) {}
+
+    fn vertex(&self, (): &(), _: VertexInput<'_, ()>) -> (Color, ()) {
+        (Color::new(0, 0, 0), ())
+    }
+
+    fn fragment(&self, _: &Self::Prepared, (color, at): &Self::Varying) -> Option<Color> {
+        (at.radius_squared() < 1 << 26).then(|| color.color())
+    }
+}
+
 fn screen<F: Format>(frame: &mut Frame<'_, F, DepthBuffer<'_>>, draw: &ScreenDraw) -> Stats {
     let shaded = |(x, y, z, color): ScreenCorner| (ScreenVertex::from_bits(x, y, z), color.into());
     let corner = |i: u32| (draw.corner)(i).map(shaded);
@@ -145,8 +168,28 @@ fn screen<F: Format>(frame: &mut Frame<'_, F, DepthBuffer<'_>>, draw: &ScreenDra
                 pass.points(frame, &shader, size, &[a]);
                 i += 1;
             }
+            (Kind::Round(size), ..) => {
+                let (vertex, color) = a;
+                pass.points(frame, &Round, size, &[(vertex, (color, ()))]);
+                i += 1;
+            }
+            (Kind::Wide(width), Some(b), _) => {
+                pass.lines(frame, &shader, Wide(width), &[[a, b]]);
+                i += 2;
+            }
+            (Kind::Stippled(pattern, factor), ..) => {
+                let mut corners = [a; STRIP];
+                let mut count = 0;
+                for (place, at) in corners.iter_mut().zip(0..) {
+                    let Some(corner) = corner(at) else { break };
+                    (*place, count) = (corner, count + 1);
+                }
+                let style = Stippled::new(pattern, factor, Thin);
+                pass.line_strip(frame, &shader, style, corners.iter().take(count));
+                break;
+            }
             (Kind::Lines, Some(b), _) => {
-                pass.lines(frame, &shader, &[[a, b]]);
+                pass.lines(frame, &shader, Thin, &[[a, b]]);
                 i += 2;
             }
             (Kind::Triangles, Some(b), Some(c)) => {

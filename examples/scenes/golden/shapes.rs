@@ -2,7 +2,10 @@
 
 use microraster::math::Vec3;
 use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_POSITIONS, TEAPOT_SCALE};
-use microraster::{AnyTopology, IndexedList, List, Mesh, Normal, Rgb};
+use microraster::{
+    AnyTopology, Consecutive, IndexedList, List, Mesh, Normal, RestartIndices, Rgb, TriangleFan,
+    TriangleStrip,
+};
 
 /// A mesh by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +24,10 @@ pub(crate) enum Shape {
     Sheet(usize),
     /// Four triangles from a far corner each to two behind the eye, below, above and beside it.
     Rays,
+    /// The box by strips.
+    Strips,
+    /// A disc of twelve triangles about its middle.
+    Disc,
 }
 
 /// What belongs to the vertices or faces of a mesh.
@@ -99,6 +106,22 @@ impl Shape {
                 scale: one,
                 offset: Vec3::ZERO,
             },
+            Self::Strips => Arrays {
+                positions: &CORNERS,
+                attributes: Attributes::FaceColors(&SIDE_COLORS),
+                topology: AnyTopology::RestartStrip8(TriangleStrip::new(RestartIndices::new(
+                    &STRIP_INDICES,
+                ))),
+                scale: one,
+                offset: Vec3::ZERO,
+            },
+            Self::Disc => Arrays {
+                positions: &DISC,
+                attributes: Attributes::Colors(&DISC_COLORS),
+                topology: AnyTopology::Fan(TriangleFan::new(Consecutive::new(DISC.len()))),
+                scale: Vec3::new(0.01, 0.01, 0.01),
+                offset: Vec3::ZERO,
+            },
             Self::Rays => Arrays {
                 positions: &RAYS,
                 attributes: Attributes::Colors(&RAY_COLORS),
@@ -150,6 +173,41 @@ static BOX_INDICES: [u8; 36] = [
     4, 5, 7, 4, 7, 6, 1, 0, 2, 1, 2, 3, 5, 1, 3, 5, 3, 7, 0, 4, 6, 0, 6, 2, 6, 7, 3, 6, 3, 2, 0, 1,
     5, 0, 5, 4,
 ];
+
+/// The same six sides, with a restart after each but the last.
+static STRIP_INDICES: [u8; 29] = [
+    5, 7, 4, 6, 255, 0, 2, 1, 3, 255, 1, 3, 5, 7, 255, 4, 6, 0, 2, 255, 7, 3, 6, 2, 255, 1, 5, 0, 4,
+];
+
+/// The middle, and a rim of which the first corner is the last one too.
+static DISC: [[i16; 3]; 14] = [
+    [0, 0, 0],
+    [100, 0, 0],
+    [87, 50, 0],
+    [50, 87, 0],
+    [0, 100, 0],
+    [-50, 87, 0],
+    [-87, 50, 0],
+    [-100, 0, 0],
+    [-87, -50, 0],
+    [-50, -87, 0],
+    [0, -100, 0],
+    [50, -87, 0],
+    [87, -50, 0],
+    [100, 0, 0],
+];
+
+#[allow(clippy::cast_possible_truncation, reason = "fewer than 14")]
+static DISC_COLORS: [Rgb; 14] = {
+    let mut colors = [Rgb::BLACK; 14];
+    let mut i = 1;
+    while i < 14 {
+        let part = i as u8 * 18;
+        colors[i] = Rgb::new(part, 255 - part, 120);
+        i += 1;
+    }
+    colors
+};
 
 static SIDE_COLORS: [Rgb; 12] = {
     let sides = [

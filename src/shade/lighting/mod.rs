@@ -16,5 +16,6 @@ pub use beam::Beam;
 pub use blinn_phong::{BlinnPhong, PreparedBlinnPhong};
 pub use lambert::{Lambert, PreparedLambert};
 pub use light_kind::{LightKind, PreparedAnyLight, PreparedPoint, PreparedSpot};
+pub(super) use mesh_space::normalized;
 pub use surface::{Lighting, Surface};
 pub use tinted::Tinted;

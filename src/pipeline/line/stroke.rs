@@ -1,0 +1,332 @@
+//! Lines pixel by pixel.
+
+use super::super::fill::{depth_plane, lone_depth_plane, Access};
+use crate::color::Format;
+use crate::frame::{DepthAccess, Frame, Rect, Supplies};
+use crate::raster::{
+    limited, plane_triangle, Gradients, Line, MidpointPath, Path, Pixel, Plane, PointSquare,
+    ScreenVertex, Span, Steps,
+};
+use crate::shade::{Corner, Event, Fragments, Row, State, Varying};
+
+/// A line to be drawn.
+pub struct LineDraw<'a, V: Varying> {
+    pub(in crate::pipeline) ends: [ScreenVertex; 2],
+    pub(in crate::pipeline) corners: &'a [Corner<V>; 2],
+    pub(in crate::pipeline) provoking: &'a Corner<V>,
+    /// What is drawn of the picture.
+    pub(in crate::pipeline) area: Rect,
+    /// Pixels of the strip that came before.
+    pub(in crate::pipeline) before: u32,
+}
+
+impl<V: Varying> core::fmt::Debug for LineDraw<'_, V> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("LineDraw").field("ends", &self.ends).finish_non_exhaustive()
+    }
+}
+
+/// What became of a line.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome {
+    pub(in crate::pipeline) event: Event,
+    /// Pixels along the line, drawn or not.
+    pub(in crate::pipeline) pixels: u32,
+}
+
+/// Which pixels of a line are drawn.
+pub trait Pattern: Copy {
+    /// The pattern at a pixel, counted from its beginning.
+    fn started(self, pixel: u32) -> Self;
+    /// Whether the pixel is drawn.
+    fn is_on(&self) -> bool;
+    /// Goes to the next pixel, or back.
+    fn step(&mut self, forwards: bool);
+}
+
+/// All of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Continuous;
+
+impl Pattern for Continuous {
+    #[inline(always)]
+    fn started(self, _pixel: u32) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn is_on(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn step(&mut self, _forwards: bool) {}
+}
+
+/// Lines that are made of one pixel a column or row, and of copies of them beside it.
+pub trait Replicated: Copy {
+    /// By the diamond-exit rule; else by the midpoint algorithm.
+    const EXACT: bool;
+
+    /// How many copies there are.
+    fn width(&self) -> i32;
+
+    /// Draws a line.
+    #[inline(always)]
+    fn draw_with<H, S, F, D, P>(
+        &self,
+        pattern: P,
+        line: &LineDraw<'_, H::Varying>,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        shader: &H,
+    ) -> Outcome
+    where
+        H: Fragments,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+        P: Pattern,
+    {
+        let width = self.width();
+        let none = Outcome { event: Event::Degenerate, pixels: 0 };
+        if Self::EXACT {
+            let Some(found) = exact(&line.ends, width) else { return none };
+            let (path, head) = (found.path(), found.head());
+            Stroke { line, path, head, width, pattern }.draw(frame, state, shader)
+        } else {
+            let [a, b] = &line.ends;
+            let Some(path) = MidpointPath::between(a, b) else { return none };
+            Stroke { line, path, head: None, width, pattern }.draw(frame, state, shader)
+        }
+    }
+}
+
+/// The line by the diamond-exit rule whose copies make one of this width.
+#[inline(never)]
+fn exact(ends: &[ScreenVertex; 2], width: i32) -> Option<Line> {
+    let [a, b] = *ends;
+    if width == 1 {
+        return Line::between(a, b);
+    }
+    let side = |to: i32, from: i32| to.wrapping_sub(from).unsigned_abs();
+    let by_columns = side(b.x_bits(), a.x_bits()) >= side(b.y_bits(), a.y_bits());
+    let back = width.wrapping_sub(1).wrapping_mul(8);
+    let (x, y) = if by_columns { (0, back) } else { (back, 0) };
+    let moved = |v: ScreenVertex| {
+        ScreenVertex::from_bits(v.x_bits().wrapping_sub(x), v.y_bits().wrapping_sub(y), v.z)
+    };
+    Line::between(moved(a), moved(b))
+}
+
+/// A line on its way into the frame.
+struct Stroke<'a, V: Varying, R, P> {
+    line: &'a LineDraw<'a, V>,
+    path: R,
+    /// The pixel about the first corner that has the corner's attributes.
+    head: Option<Pixel>,
+    width: i32,
+    pattern: P,
+}
+
+/// Pixels of one column (or row) each, to be drawn in one go.
+struct Pixels<V: Varying, T> {
+    first: Pixel,
+    count: u32,
+    by_columns: bool,
+    steps: T,
+    least_step: (i32, i32),
+    z: u32,
+    z_step: u32,
+    varying: V,
+    step: V::Step,
+}
+
+impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
+    /// Draws it.
+    ///
+    /// One copy of this, with the pixel loop, is what a shader, a state and a style cost in flash.
+    #[inline(never)]
+    fn draw<H, S, F, D>(&self, frame: &mut Frame<'_, F, D>, state: &mut S, shader: &H) -> Outcome
+    where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let LineDraw { ends, corners, provoking, area, before } = *self.line;
+        let by_columns = self.path.by_columns();
+        let (from, to) = self.path.ends();
+        let along = to.wrapping_sub(from).max(0).cast_unsigned();
+        let headed = i32::from(self.head.is_some());
+        let pixels = along.wrapping_add(headed.cast_unsigned());
+        let forwards = if by_columns {
+            ends[1].x_bits() > ends[0].x_bits()
+        } else {
+            ends[1].y_bits() > ends[0].y_bits()
+        };
+        let mut is_drawn = false;
+        if let Some(head) = self.head {
+            let (varying, step) = V::on_point(&corners[0], &PointSquare::NONE, head.x, head.y);
+            let z = u32::from(ends[0].z) << 16 | 0x8000;
+            let pattern = self.pattern.started(before);
+            for copy in 0..self.width {
+                let (x, y) = if by_columns { (0, copy) } else { (copy, 0) };
+                let first = Pixel { x: head.x.wrapping_add(x), y: head.y.wrapping_add(y) };
+                if area.contains(first.x, first.y) {
+                    is_drawn = true;
+                    let (steps, least_step) = (self.path.steps(from), (0, 0));
+                    Pixels {
+                        first,
+                        count: 1,
+                        by_columns,
+                        steps,
+                        least_step,
+                        z,
+                        z_step: 0,
+                        varying,
+                        step,
+                    }
+                    .draw::<H, S, F, D, P>(pattern, forwards, frame, state, shader);
+                }
+            }
+        }
+        let (low, high, left, right) = if by_columns {
+            (area.top, area.bottom, area.left, area.right)
+        } else {
+            (area.left, area.right, area.top, area.bottom)
+        };
+        let lowest = low.wrapping_sub(self.width).wrapping_add(1);
+        let (start, end) = limited(&self.path, from.max(left), to.min(right), lowest, high);
+        if start >= end {
+            let event = if is_drawn { Event::Drawn } else { Event::Outside };
+            return Outcome { event, pixels };
+        }
+        // What neither depth nor varyings ask for is not computed.
+        let triangle = plane_triangle(&ends, by_columns);
+        let gradients = if V::INTERPOLATED { Gradients::new(&triangle) } else { Gradients::NONE };
+        let z_plane = match (<Access<S>>::TOUCHES, V::INTERPOLATED) {
+            (true, true) => depth_plane(&gradients, &triangle),
+            (true, false) => lone_depth_plane(&triangle),
+            (false, _) => Plane::default(),
+        };
+        let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
+        let [p, q] = *corners;
+        let mut planes = V::planes(&gradients, &[p, q, p], provoking, in_pieces);
+        // Planes are level across the line: any row will do.
+        let level = if by_columns { ends[0].y_bits() } else { ends[0].x_bits() } >> 4;
+        // Where rows of colour and of depth differ in length, pixel by pixel.
+        let (stride, cell_stride) = frame.strides::<Access<S>>();
+        let longest = |path: &R, at: i32| {
+            if stride == cell_stride {
+                path.good_until(at)
+            } else {
+                at.wrapping_add(1)
+            }
+        };
+        for copy in 0..self.width {
+            let (mut at, end) = if self.width == 1 {
+                (start, end)
+            } else {
+                let (low, high) = (low.wrapping_sub(copy), high.wrapping_sub(copy));
+                limited(&self.path, start, end, low, high)
+            };
+            is_drawn |= at < end;
+            while at < end {
+                let mut stop = end.min(longest(&self.path, at));
+                if in_pieces {
+                    let piece = at.wrapping_sub(from).wrapping_div(V::PIECE);
+                    let begin = from.wrapping_add(piece.wrapping_mul(V::PIECE));
+                    V::settle(&mut planes, begin, level);
+                    stop = stop.min(begin.wrapping_add(V::PIECE));
+                }
+                let span = Span { y: level, first: from, left: at, right: stop, behind: to };
+                let mut runs = V::runs(&planes, &span);
+                let (varying, step, good) = V::run(&planes, &mut runs, &span, at);
+                stop = stop.min(good);
+                let minor = self.path.minor(at).wrapping_add(copy);
+                let first =
+                    if by_columns { Pixel { x: at, y: minor } } else { Pixel { x: minor, y: at } };
+                let behind = if forwards { at.wrapping_sub(from) } else { to.wrapping_sub(at) };
+                let number = behind.wrapping_sub(i32::from(!forwards)).wrapping_add(headed);
+                let pattern = self.pattern.started(before.wrapping_add(number.cast_unsigned()));
+                Pixels {
+                    first,
+                    count: stop.wrapping_sub(at).cast_unsigned(),
+                    by_columns,
+                    steps: self.path.steps(at),
+                    least_step: self.path.least_step(),
+                    z: z_plane.at(at, level),
+                    z_step: z_plane.dx,
+                    varying,
+                    step,
+                }
+                .draw::<H, S, F, D, P>(pattern, forwards, frame, state, shader);
+                at = stop;
+            }
+        }
+        Outcome { event: if is_drawn { Event::Drawn } else { Event::Outside }, pixels }
+    }
+}
+
+impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
+    /// Draws them. Apart, so that the registers are the pixel loop's.
+    #[inline(never)]
+    fn draw<H, S, F, D, P>(
+        &self,
+        mut pattern: P,
+        forwards: bool,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        shader: &H,
+    ) where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+        P: Pattern,
+    {
+        let Self { first, by_columns, mut steps, mut z, z_step, mut varying, step, .. } = *self;
+        let (depth, output, counter) = state.parts();
+        let (stride, _) = frame.strides::<Access<S>>();
+        let (least, sign) = self.least_step;
+        let Pixel { mut x, mut y } = first;
+        let (along, across) = if by_columns { (1, stride) } else { (stride, 1) };
+        // Wrapping: steps may lead back.
+        let plain = along.wrapping_add(across.wrapping_mul(least as usize));
+        let carried = plain.wrapping_add(across.wrapping_mul(sign as usize));
+        let Some((pixels, mut cells, mut at)) = frame.all_from::<Access<S>>(x, y) else { return };
+        for _ in 0..self.count {
+            if pattern.is_on() {
+                let Some(pixel) = pixels.get_mut(at) else { return };
+                let Some(cells) = <Access<S>>::one(&mut cells, at) else { return };
+                shader.span(Row::<S, F, V> {
+                    x,
+                    y,
+                    pixels: core::slice::from_mut(pixel),
+                    cells,
+                    z,
+                    z_step,
+                    varying,
+                    step,
+                    depth,
+                    output,
+                    counter: &mut *counter,
+                });
+            }
+            pattern.step(forwards);
+            z = z.wrapping_add(z_step);
+            varying.step(&step);
+            let carries = steps.carries();
+            let minor = least.wrapping_add(if carries { sign } else { 0 });
+            if by_columns {
+                at = at.wrapping_add(if carries { carried } else { plain });
+                (x, y) = (x.wrapping_add(1), y.wrapping_add(minor));
+            } else {
+                // Rows are counted downwards, so that a step carries by one: an addition with carry.
+                at = at.wrapping_add(plain).wrapping_add(carries.into());
+                (x, y) = (x.wrapping_add(minor), y.wrapping_add(1));
+            }
+        }
+    }
+}

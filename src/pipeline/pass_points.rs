@@ -1,0 +1,206 @@
+//! Points of meshes, and the corners of their triangles.
+
+use super::assembly::Positions;
+use super::cache::CacheView;
+use super::clipper::Fan;
+use super::fill::Access;
+use super::pass::{Ready, Work};
+use super::point::draw_point;
+use super::{Pass, PointSize, VertexCache};
+use crate::color::Format;
+use crate::frame::{Frame, Supplies};
+use crate::math::Mat4;
+use crate::scene::{Mesh, Topology};
+use crate::shade::{Corner, Counter, Event, Shader, State, VertexInput};
+
+impl<S: State> Pass<'_, S> {
+    /// Draws the points of a mesh: `model` leads from its own space to the world.
+    ///
+    /// Points whose vertices lie before the near plane or beyond the far one are left out; at the
+    /// sides of the viewport a point is drawn as far as its square reaches in, wherever its vertex
+    /// lies.
+    ///
+    /// ```
+    /// use microraster::math::{AngleUnits, Mat4};
+    /// use microraster::{Camera, Consecutive, Flat, Frame, Mesh, Pass, Points, Rgb, Rgb565, Size};
+    ///
+    /// static STARS: [[i16; 3]; 3] = [[-1, 0, -4], [0, 1, -5], [1, 0, -6]];
+    /// let stars = Mesh::new(&STARS, &[(); 3]).with_topology(Points::new(Consecutive::new(3)));
+    /// let mut pixels = [0u16; 32 * 32];
+    /// let mut frame = Frame::<Rgb565>::new(&mut pixels, Size::new(32, 32))?;
+    /// let camera = Camera::perspective(45.0.degrees(), 0.5);
+    /// let white = Flat::solid(Rgb::WHITE);
+    /// Pass::new(&camera).draw_points(&mut frame, &Mat4::identity(), &stars, &white, &2);
+    /// assert_eq!(pixels.iter().filter(|pixel| **pixel != 0).count(), 3 * 2 * 2);
+    /// # Ok::<(), microraster::FrameError>(())
+    /// ```
+    ///
+    /// # Cost
+    /// Points share no vertices: there is no cache.
+    pub fn draw_points<H, F, D, T>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        model: &Mat4,
+        mesh: &Mesh<'_, H::Vertex, T>,
+        shader: &H,
+        size: &impl PointSize<H::Vertex>,
+    ) where
+        H: Shader,
+        F: Format,
+        D: Supplies<Access<S>>,
+        T: Topology<Primitive = [u32; 1]>,
+    {
+        let work = PointsOf { topology: mesh.topology, size };
+        self.perform(frame, model, mesh.vertices(), shader, work);
+    }
+
+    /// Draws the corners of a mesh's triangles as points, of those that are not culled: each
+    /// triangle its three.
+    pub fn draw_corners<H, F, D, T>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        model: &Mat4,
+        mesh: &Mesh<'_, H::Vertex, T>,
+        shader: &H,
+        size: &impl PointSize<H::Vertex>,
+    ) where
+        H: Shader,
+        F: Format,
+        D: Supplies<Access<S>>,
+        T: Topology<Primitive = [u32; 3]>,
+    {
+        let mut cache = VertexCache::<(), 32>::new();
+        let work = Corners { topology: mesh.topology, size, cache: cache.start() };
+        self.perform(frame, model, mesh.vertices(), shader, work);
+    }
+}
+
+/// Draws points.
+struct PointsOf<'a, T, Z> {
+    topology: T,
+    size: &'a Z,
+}
+
+impl<H, T, Z> Work<H> for PointsOf<'_, T, Z>
+where
+    H: Shader,
+    T: Topology<Primitive = [u32; 1]>,
+    Z: PointSize<H::Vertex>,
+{
+    #[inline(always)]
+    fn run<P, S, F, D>(self, ready: &Ready<'_, H, P>, frame: &mut Frame<'_, F, D>, state: &mut S)
+    where
+        P: Positions,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let Self { topology, size } = self;
+        let mut cursor = T::Cursor::default();
+        while let Some((number, [index])) = topology.next::<false>(&mut cursor) {
+            state.counter().event(Event::Point);
+            let event = ready.point(index, number, size, frame, state);
+            state.counter().event(event);
+        }
+    }
+
+    fn skip<C: Counter>(self, counter: &mut C) {
+        for _ in 0..self.topology.count() {
+            counter.event(Event::Point);
+            counter.event(Event::Skipped);
+        }
+    }
+}
+
+/// Draws the corners of triangles.
+struct Corners<'a, T, Z> {
+    topology: T,
+    size: &'a Z,
+    cache: CacheView<'a, ()>,
+}
+
+impl<H, T, Z> Work<H> for Corners<'_, T, Z>
+where
+    H: Shader,
+    T: Topology<Primitive = [u32; 3]>,
+    Z: PointSize<H::Vertex>,
+{
+    #[inline(always)]
+    fn run<P, S, F, D>(self, ready: &Ready<'_, H, P>, frame: &mut Frame<'_, F, D>, state: &mut S)
+    where
+        P: Positions,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let Self { topology, size, mut cache } = self;
+        let (mut cursor, mut fan) = (T::Cursor::default(), Fan::default());
+        while let Some((number, vertices)) = topology.next::<false>(&mut cursor) {
+            state.counter().event(Event::Triangle);
+            if let Some(event) = ready.left_out(vertices, &mut cache, &mut fan) {
+                state.counter().event(event);
+                continue;
+            }
+            let mut event = Event::Outside;
+            for index in vertices {
+                let corner = ready.point(index, number, size, frame, state);
+                if matches!(corner, Event::Drawn | Event::Skipped) {
+                    event = corner;
+                }
+            }
+            state.counter().event(event);
+        }
+    }
+
+    fn skip<C: Counter>(self, counter: &mut C) {
+        for _ in 0..self.topology.count() {
+            counter.event(Event::Triangle);
+            counter.event(Event::Skipped);
+        }
+    }
+}
+
+impl<H: Shader, P: Positions> Ready<'_, H, P> {
+    /// Draws a point of the mesh.
+    #[inline(never)]
+    fn point<S, F, D>(
+        &self,
+        index: u32,
+        number: u32,
+        size: &impl PointSize<H::Vertex>,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+    ) -> Event
+    where
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let Self { draw, positions, mapping, area, .. } = self;
+        let attribute = if draw.vertices.by_face { number } else { index };
+        let Some(clip) = positions.clip(index) else { return Event::Skipped };
+        let Some(attributes) = draw.vertices.attributes.get(attribute as usize) else {
+            return Event::Skipped;
+        };
+        let Some(place) = mapping.point(&clip) else { return Event::Outside };
+        let input = VertexInput { attributes, position: draw.position(index) };
+        let size = size.size(input, place.z).clamp(0, MOST);
+        let half = size.cast_signed().wrapping_add(1) >> 1;
+        // Before the corner is shaded: whether any of its square may be seen.
+        let is_beside = |v: i32, low: i32, high: i32| {
+            v.wrapping_add(half) < low.wrapping_mul(16)
+                || v.wrapping_sub(half) > high.wrapping_mul(16)
+        };
+        if is_beside(place.x_bits(), area.left, area.right)
+            || is_beside(place.y_bits(), area.top, area.bottom)
+        {
+            return Event::Outside;
+        }
+        let corner: Option<Corner<H::Varying>> = draw.made(attribute, index, *positions);
+        let Some(corner) = corner else { return Event::Skipped };
+        draw_point(&place, &corner, size, area, frame, state, &draw.bound())
+    }
+}
+
+/// The largest point, in sixteenths of a pixel.
+const MOST: u32 = 256 * 16;

@@ -123,7 +123,7 @@ where
                 ((surface, sampler.begin(*uv)), (surface_step, step))
             });
             return row.each(|(surface, uv)| {
-                let color = self.surface.fragment(surface)?;
+                let color = self.surface.fragment(prepared, surface)?;
                 Some(self.environment.combine(sampler.fetch_begun(*uv)?, color))
             });
         }

@@ -252,6 +252,60 @@ fn adaptive_is_within_a_quarter_of_what_a_pixel_covers() {
     println!("adaptive: {worst:.3} of a step");
 }
 
+/// Where w hardly differs, runs are up to 512 pixels long.
+#[test]
+fn long_runs_are_within_a_quarter_too_and_no_scissor_changes_a_bit() {
+    const SIZE: Size = Size::new(1024, 4);
+    let draw = |corners: &[Corner; 3], scissor: Rect| {
+        let mut pixels = vec![BLANK; 1024 * 4];
+        let mut frame = Frame::<Words>::new(&mut pixels, SIZE).expect("a buffer that fits");
+        frame.set_scissor(scissor);
+        let corners = corners.map(|Corner { x, y, w, uv }| {
+            (ScreenVertex::from_bits(x, y, 0), PerspectiveCorner::new(uv, w))
+        });
+        ScreenPass::new().triangle(&mut frame, &Coordinates(Adaptive), &corners);
+        pixels
+    };
+    let mut random = Random(76);
+    let mut compared = 0;
+    for round in 0..300 {
+        // From no difference at all to a fifth.
+        let differs = [0, 200, 2_000, 20_000][round % 4];
+        let mut corner = |x: i32, y: i32| Corner {
+            x: x * 16 + random.range(-300, 300),
+            y: y * 16,
+            w: 100_000 + random.range(0, differs),
+            uv: [random.range(-32768, 32767) as i16, random.range(-32768, 32767) as i16],
+        };
+        let corners = [corner(20, -9), corner(1000, -5), corner(500, 30)];
+        let exactly = Exactly::of(corners);
+        let whole = draw(&corners, Rect::new(0, 0, 1024, 4));
+        let left = random.range(0, 900);
+        let part = Rect::new(left, 1, left + random.range(1, 600), 3);
+        let cut = draw(&corners, part);
+        for (i, (raw, cut)) in whole.iter().zip(&cut).enumerate() {
+            let (x, y) = ((i % 1024) as i32, (i / 1024) as i32);
+            let expected = if part.contains(x, y) { *raw } else { BLANK };
+            assert_eq!(*cut, expected, "at {x}, {y} of {corners:?} in {part:?}");
+            if *raw == BLANK {
+                continue;
+            }
+            let seen =
+                [(*raw >> 32) as u32, *raw as u32].map(|word| f64::from(word as i32) / 65536.0);
+            let (q, expected) = exactly.at(x, y);
+            for axis in 0..2 {
+                let error = difference(seen[axis], expected[axis]);
+                let step = (exactly.at(x + 1, y).1[axis] - expected[axis]).abs();
+                // The step is cut off too.
+                let bound = 0.25 * step + 2.0 * exactly.rounding(axis, q) + 512.0 / 8192.0;
+                assert!(error <= bound, "{error} > {bound} at {x}, {y} of {corners:?}");
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared > 500_000, "{compared} pixels");
+}
+
 #[test]
 fn affine_is_linear_on_the_screen() {
     let mut random = Random(74);

@@ -247,8 +247,8 @@ impl Scene {
         let wraps = [AnyWrap::Repeat, AnyWrap::Clamp, AnyWrap::Mirror];
         let mut wrap = || wraps[random.range(0, 2) as usize];
         let (u, v) = (wrap(), wrap());
-        let filters = [AnyFilter::Nearest, AnyFilter::Bilinear];
-        let filter = filters[random.range(0, 1) as usize];
+        let filters = [AnyFilter::Nearest, AnyFilter::Bilinear, AnyFilter::FineBilinear];
+        let filter = filters[random.range(0, 2) as usize];
         let sampler = AnySampler::new(AnyTexture::Rgb565(texture), filter, u, v);
         let sampler = sampler.expect("powers of two").unit_bits(random.range(0, 16) as u32);
         draw(mesh, &Textured::new(sampler).perspective(mode));

@@ -60,13 +60,13 @@ pub use shade::{
     Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState,
     AnyDither, AnyMask, AtFragments, AtVertices, Average, Blend, BlinnPhong, Channels, ColorMask,
     ColorOutput, Coloring, Constant, ConstantAlpha, ConstantDepth, Corner, Counter, Counting,
-    DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat,
-    FlatColor, Fog, Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual,
-    LightKind, Lighting, Matcap, Multiply, NotEqual, Off, Output, Perspective, PerspectiveCorner,
-    PerspectiveMode, PerspectiveVarying, Phong, PointCoordinates, PolygonOffset, Premultiplied,
-    ReadOnly, Replace, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats,
-    Stepped, Subtract, Surface, Textured, Tinted, Uncounted, Undithered, Unlit, Uv, UvStep,
-    Varying, VertexColors, VertexInput,
+    Cutout, DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact,
+    Flat, FlatColor, Fog, Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less,
+    LessEqual, LightKind, Lighting, Matcap, Multiply, NotEqual, Off, Output, Perspective,
+    PerspectiveCorner, PerspectiveMode, PerspectiveVarying, Phong, PointCoordinates, PolygonOffset,
+    Premultiplied, ReadOnly, Replace, Row, Scalar, Scalars, Shader, SmoothColor, Solid, Sprite,
+    State, States, Stats, Stepped, Subtract, Surface, Textured, Tinted, Uncounted, Undithered,
+    Unlit, Uv, UvStep, Varying, VertexColors, VertexInput,
 };
 
 /// The README's example runs with the tests.

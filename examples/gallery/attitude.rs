@@ -1,4 +1,10 @@
 //! The attitude of an inertial sensor: a board that rolls, pitches and yaws, with its axes.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "small counts, and floats that saturate"
+)]
 
 use microraster::math::{AngleUnits, Mat4, Vec3, Vec4};
 use microraster::{
@@ -97,7 +103,6 @@ const DARK_GREEN: Rgb = Rgb::new(44, 130, 66);
 const DARK_BLUE: Rgb = Rgb::new(44, 70, 150);
 
 /// A letter, a sign and three digits.
-#[allow(clippy::cast_possible_truncation, reason = "a float cast saturates, digits are below 10")]
 fn label(name: u8, degrees: f32) -> [u8; 5] {
     let sign = if degrees < 0.0 { b'-' } else { b'+' };
     let whole = (degrees.abs() + 0.5) as u32;

@@ -1,6 +1,12 @@
 //! A point cloud: what a scanner of 32 beams sees of a yard, coloured by distance.
 //!
 //! The 20 000 points are made as they are drawn, a few sweeps at a time, so that they need no memory.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "small counts, and floats that saturate"
+)]
 
 use microraster::math::{Angle, AngleUnits, Mat4, Vec3};
 use microraster::{
@@ -129,17 +135,11 @@ fn larger(a: f32, b: f32) -> f32 {
     }
 }
 
-#[allow(clippy::cast_possible_truncation, reason = "no farther than the scanner sees")]
 fn steps(metres: f32) -> i16 {
     (metres * STEPS) as i16
 }
 
 /// The colour of a distance.
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a float cast saturates"
-)]
 fn tint(distance: f32) -> Rgb {
     TINTS.get((distance * 4.0) as usize).copied().unwrap_or(Rgb::BLACK)
 }

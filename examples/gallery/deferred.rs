@@ -148,14 +148,14 @@ fn lit([x, y, z, material]: [u8; 4]) -> Color {
     for ((light, color), halfway) in LIGHTS.iter().zip(&HALFWAY) {
         let facing = cosine(light);
         // The 32nd power of a cosine, by squares.
-        let power = (0..5).fold(cosine(halfway), |power, _| power * power >> 8);
+        let power = (0..5).fold(cosine(halfway), |power, _| (power * power) >> 8);
         for ((diffuse, shine), color) in diffuse.iter_mut().zip(&mut shine).zip(color) {
-            *diffuse += facing * color >> 8;
-            *shine += power * color >> 9;
+            *diffuse += (facing * color) >> 8;
+            *shine += (power * color) >> 9;
         }
     }
     let channel = |material: u8, diffuse: i32, shine: i32| {
-        ((i32::from(material) * diffuse >> 8) + shine).clamp(0, 255) as u8
+        (((i32::from(material) * diffuse) >> 8) + shine).clamp(0, 255) as u8
     };
     Color::new(
         channel(r, diffuse[0], shine[0]),

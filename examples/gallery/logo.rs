@@ -1,4 +1,10 @@
 //! A spinning box with a logo on its sides: a texture in perspective, and text in it.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "small counts, and floats that saturate"
+)]
 
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::texture::{Bilinear, Clamp, Sampler, Texture};

@@ -37,6 +37,8 @@ pub(crate) struct Canvas<'a> {
 pub(crate) const PIXELS: usize = 320 * 240;
 /// Words of memory that a picture may want besides.
 pub(crate) const WORDS: usize = PIXELS / 2;
+/// Rows of the largest picture, of a word a pixel, that fit there.
+const ROWS: u16 = 120;
 
 impl Canvas<'_> {
     /// The band with depth.
@@ -101,10 +103,9 @@ pub(crate) const PICTURES: [Picture; 11] = [
             let width = usize::from(picture.width);
             let attributes = bytemuck::cast_slice_mut(words);
             // As many rows at a time as there is memory for.
-            let rows = (WORDS / width) as u16;
-            let bands = (canvas.first_row..canvas.first_row + canvas.rows).step_by(rows.into());
-            for (first, pixels) in bands.zip(pixels.chunks_mut(width * usize::from(rows))) {
-                let rows = rows.min(canvas.first_row + canvas.rows - first);
+            let bands = (canvas.first_row..canvas.first_row + canvas.rows).step_by(ROWS.into());
+            for (first, pixels) in bands.zip(pixels.chunks_mut(width * usize::from(ROWS))) {
+                let rows = ROWS.min(canvas.first_row + canvas.rows - first);
                 let band = (*picture, first, rows);
                 deferred::draw(pixels, attributes, depth, band, turn, stats)?;
             }

@@ -4,6 +4,12 @@
 //! it must not darken twice, and depth alone sees to that: the flat teapot only marks its pixels as
 //! nearer than the floor; the floor is then drawn once more, dark, wherever it is *farther* than
 //! what is stored, which also puts its own depth back.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "small counts, and floats that saturate"
+)]
 
 use fixed::types::I8F8;
 use microraster::math::{AngleUnits, Mat4, Vec3, Vec4};

@@ -1,4 +1,10 @@
 //! A ball, made by the compiler.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "small counts, and floats that saturate"
+)]
 
 use microraster::math::{Angle, Vec3};
 use microraster::{Mesh, Normal, RestartIndices, TriangleStrip};

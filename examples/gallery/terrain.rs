@@ -1,4 +1,10 @@
 //! Hills from a height map, in strips, under fog.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "small counts, and floats that saturate"
+)]
 
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::raster::ScreenVertex;
@@ -78,7 +84,7 @@ static GROUND: Ground = {
 };
 
 /// Heights of all vertices, and of one more around them.
-const HEIGHTS: [i32; WIDTH * WIDTH] = {
+static HEIGHTS: [i32; WIDTH * WIDTH] = {
     let (mut heights, mut i) = ([0; WIDTH * WIDTH], 0);
     while i < heights.len() {
         heights[i] = height((i % WIDTH) as i32 - 1, (i / WIDTH) as i32 - 1);
@@ -160,7 +166,7 @@ const fn ease(part: i32) -> i32 {
 }
 
 const fn mix(a: i32, b: i32, part: i32) -> i32 {
-    a + ((b - a) * part >> 8)
+    a + (((b - a) * part) >> 8)
 }
 
 /// A number of 0 to 65535 that looks like any other.

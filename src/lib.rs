@@ -13,6 +13,7 @@
 //! | [`raster`] | finds the covered pixels by exact integers, and the planes of what is interpolated |
 //! | [`texture`] | reads pictures from flash: formats, wraps, filters, mip-maps |
 //! | [`shade`] | asks a [`Shader`] for the colour of each pixel that passes the depth test |
+//! | [`texture`] | what surfaces show, borrowed from flash |
 //! | [`frame`], [`color`] | store it: formats, stride, bands, scissor |
 //! | [`math`] | vectors, matrices, angles: the same bits everywhere |
 //!
@@ -45,10 +46,10 @@ pub mod host;
 pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 #[cfg(feature = "embedded-graphics")]
 pub use eg::DrawFormat;
-pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
+pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, StencilBuffer, MAX_SIDE};
 pub use pipeline::{
-    Clip, Cull, LineStyle, Midpoint, Pass, PointSize, Rectangle, ScreenPass, ShadedVertex, SizeOf,
-    Smooth, Stippled, Supersampling, Thin, VertexCache, Wide, Winding,
+    Attenuated, Clip, Cull, LineStyle, Midpoint, Pass, PointSize, Rectangle, ScreenPass,
+    ShadedVertex, SizeOf, Smooth, Stippled, Supersampling, Thin, VertexCache, Wide, Winding,
 };
 pub use scene::{
     normal, AnyLightKind, AnyTopology, Attenuation, Camera, Consecutive, DirectionalLight,
@@ -56,16 +57,18 @@ pub use scene::{
     PointLight, Points, RestartIndices, SpotLight, Topology, TriangleFan, TriangleStrip,
 };
 pub use shade::{
-    Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState,
-    AnyDither, AnyMask, AtFragments, AtVertices, Average, Blend, BlinnPhong, Channels, ColorMask,
-    ColorOutput, Coloring, Constant, ConstantAlpha, ConstantDepth, Corner, Counter, Counting,
-    DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat,
-    FlatColor, Fog, Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual,
-    LightKind, Lighting, Matcap, Multiply, NotEqual, Off, Output, Perspective, PerspectiveCorner,
-    PerspectiveMode, PerspectiveVarying, Phong, PointCoordinates, PolygonOffset, Premultiplied,
-    ReadOnly, Replace, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats,
-    Stepped, Subtract, Surface, Textured, Tinted, Uncounted, Undithered, Unlit, Uv, UvStep,
-    Varying, VertexColors, VertexInput,
+    Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyCompare, AnyDepth,
+    AnyDepthState, AnyDither, AnyMask, AnyOperation, AnyStencil, AtFragments, AtVertices, Average,
+    Blend, BlinnPhong, Channels, ColorMask, ColorOutput, Coloring, Constant, ConstantAlpha,
+    ConstantDepth, Corner, Counter, Counting, Cutout, DecrementClamp, DecrementWrap, DepthRange,
+    DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat, FlatColor, Fog,
+    Fogged, Gouraud, Greater, GreaterEqual, IncrementClamp, IncrementWrap, Interpolated, Invert,
+    Keep, Lambert, Less, LessEqual, LightKind, Lighting, Matcap, Multiply, Never, NotEqual, Off,
+    Output, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying, Phong,
+    PointCoordinates, PolygonOffset, Premultiplied, ReadOnly, Replace, Row, Scalar, Scalars,
+    Shader, SmoothColor, Solid, Sprite, State, States, Stats, Stencil, StencilCompare,
+    StencilOperation, Stenciled, Stepped, Subtract, Surface, Textured, Tinted, Uncounted,
+    Undithered, Unlit, Uv, UvStep, Varying, VertexColors, VertexInput, Zero,
 };
 
 /// The README's example runs with the tests.

@@ -8,11 +8,11 @@
 
 use microraster::texture::{
     Add, Alpha8, AnyEnvironment, AnyFilter, AnySampler, AnyTexture, AnyWrap, Bilinear, Clamp,
-    ClampAny, Decal, Environment, Filter, Footprint, Indexed4, Indexed8, Luminance8, MipMap,
-    MipSampler, Mirror, Modulate, Nearest, Reduce, Repeat, Replace, Rgba4444, Rgba5551, Sample,
-    Sampler, TexelFormat, Texture, TextureError, Wrap,
+    ClampAny, Decal, Environment, Filter, FineBilinear, Footprint, Indexed4, Indexed8, Luminance8,
+    MipMap, MipSampler, Mirror, Modulate, Nearest, Reduce, Repeat, Replace, Rgba4444, Rgba5551,
+    Sample, Sampler, TexelFormat, Texture, TextureError, Wrap,
 };
-use microraster::{Color, Format, Rgb565, Rgba8888};
+use microraster::{Color, Format, Rgb565, Rgba8888, Uv};
 
 /// Numbers without a pattern (Marsaglia's xorshift).
 struct Random(u64);
@@ -221,8 +221,14 @@ subjects! {
         |words, i| real(palette_color::<16>()[half(words, i)]);
 }
 
-/// Furthest that a place between texels is off, in 8-bit steps of each axis: half of 2^-8 texel.
-const PLACE: f64 = 2.0 * 255.0 / 512.0;
+/// Furthest that a place between texels is off, in 8-bit steps of both axes: half of 2^-`bits` texel
+/// each.
+fn place_off(bits: u32) -> f64 {
+    255.0 / f64::from(bits).exp2()
+}
+
+/// Furthest that a channel is off that is mixed by five bits: rounded twice to one of 31 steps.
+const BLENDED: f64 = 255.0 / 31.0 + REPEATED;
 
 /// Words at random for a texture of this size.
 fn words<T: Subject>(random: &mut Random, [w, h]: [u16; 2]) -> Vec<T::Word> {
@@ -244,7 +250,11 @@ fn check<T: Subject, U: Wrap, V: Wrap>(
     let texture = Texture::<T>::with_palette(words, T::PALETTE, w, h).expect("words are enough");
     let nearest = Sampler::new(texture, Nearest, across, down).expect("a size for these wraps");
     let bilinear = Sampler::new(texture, Bilinear, across, down).expect("a size for these wraps");
+    let fine = Sampler::new(texture, FineBilinear, across, down).expect("a size for these wraps");
     let (nearest, bilinear) = (nearest.unit_bits(unit_bits), bilinear.unit_bits(unit_bits));
+    let fine = fine.unit_bits(unit_bits);
+    // Formats that have no cheaper way mix as finely by both filters.
+    let (places, blend) = if T::PLACES == 5 { (5, BLENDED) } else { (8, T::MIX) };
     // A side of any length is cut off on the way.
     let cut = if U::ANY_SIZE { 2.0 * 255.0 / f64::from(unit_bits + 4).exp2() } else { 0.0 };
     for _ in 0..samples {
@@ -263,11 +273,33 @@ fn check<T: Subject, U: Wrap, V: Wrap>(
                 *sum += share * channel;
             }
         }
-        let got = bilinear.sample(u, v);
-        let off = furthest(real(got), expected);
-        // The alpha that is asked for has no fraction.
-        let bound = PLACE + T::MIX + cut + if got.alpha() < 255 { 0.5 } else { 0.0 };
-        assert!(off <= bound, "{}: {off} steps off, {expected:?}, {:?}", name(), real(got));
+        let mixed = [(bilinear.sample(u, v), places, blend), (fine.sample(u, v), 8, T::MIX)];
+        for (got, places, mix) in mixed {
+            let off = furthest(real(got), expected);
+            // The alpha that is asked for has no fraction.
+            let bound = place_off(places) + mix + cut + if got.alpha() < 255 { 0.5 } else { 0.0 };
+            assert!(off <= bound, "{}: {off} steps off, {expected:?}, {:?}", name(), real(got));
+        }
+
+        // A run of pixels.
+        let way = Uv { u: random.coordinate(unit_bits), v: random.coordinate(unit_bits) };
+        check_run(&nearest, Uv { u, v }, way);
+        check_run(&bilinear, Uv { u, v }, way);
+        check_run(&fine, Uv { u, v }, way);
+    }
+}
+
+/// What a run steps shows what each of its pixels would alone.
+fn check_run(sampler: &impl Sample, mut uv: Uv, way: Uv) {
+    let (mut begun, begun_way) = (sampler.begin(uv), sampler.begun_way(way));
+    let step = |at: &mut Uv, way: Uv| {
+        (at.u, at.v) = (at.u.wrapping_add(way.u), at.v.wrapping_add(way.v));
+    };
+    for pixel in 0..4 {
+        let alone = sampler.fetch(uv.u, uv.v);
+        assert_eq!(sampler.fetch_begun(begun), alone, "pixel {pixel} at {uv:?} by {way:?}");
+        step(&mut uv, way);
+        step(&mut begun, begun_way);
     }
 }
 
@@ -351,15 +383,25 @@ fn a_565_texel_goes_unchanged_into_565_by_every_filter_and_under_white() {
         let texture = Texture::<Rgb565>::new(&data, 1, 1).expect("one texel");
         let nearest = Sampler::nearest(texture).expect("one is a power of two").sample(5, -9);
         let bilinear = Sampler::bilinear(texture).expect("one is a power of two");
-        for color in [nearest, bilinear.sample(1234, -77_777), Modulate.combine(nearest, white)] {
+        let fine = Sampler::new(texture, FineBilinear, Repeat, Repeat).expect("as before");
+        let [bilinear, fine] = [bilinear.sample(1234, -77_777), fine.sample(1234, -77_777)];
+        for color in [nearest, bilinear, fine, Modulate.combine(nearest, white)] {
             assert_eq!(Rgb565::pack(color), raw, "{raw:04x}");
         }
         let shown =
             [nearest.red(), nearest.green(), nearest.blue(), nearest.alpha()].map(f64::from);
         let off = furthest(shown, fields(raw.into(), P565));
         assert!(off <= 1.0, "{raw:04x}: {off} steps in RGBA8888");
-        let mixed = bilinear.sample(-1, 99_999);
-        assert_eq!(Rgba8888::pack(mixed), Rgba8888::pack(nearest), "{raw:04x} mixed with itself");
+        for mixed in [bilinear, fine] {
+            let (mixed, nearest) = (Rgba8888::pack(mixed), Rgba8888::pack(nearest));
+            assert_eq!(mixed, nearest, "{raw:04x} mixed with itself");
+        }
+        // Inside of a picture all four are read at once, and weights are not zero.
+        let data = [raw; 16];
+        let texture = Texture::<Rgb565>::new(&data, 4, 4).expect("16 texels");
+        let bilinear = Sampler::bilinear(texture).expect("four is a power of two");
+        let (u, v) = (i32::from(raw) << 11, i32::from(raw) << 7);
+        assert_eq!(Rgb565::pack(bilinear.sample(u, v)), raw, "{raw:04x} in a picture");
     }
 }
 
@@ -388,6 +430,7 @@ fn any_sampler_equals_the_types() {
         let any = any(texture);
         let nearest = (Nearest, AnyFilter::Nearest);
         let bilinear = (Bilinear, AnyFilter::Bilinear);
+        let fine = (FineBilinear, AnyFilter::FineBilinear);
         let repeat = (Repeat, AnyWrap::Repeat);
         let clamp = (Clamp, AnyWrap::Clamp);
         let mirror = (Mirror, AnyWrap::Mirror);
@@ -397,6 +440,7 @@ fn any_sampler_equals_the_types() {
         typed(texture, any, bilinear, repeat, clamp);
         typed(texture, any, bilinear, clamp, mirror);
         typed(texture, any, bilinear, mirror, repeat);
+        typed(texture, any, fine, repeat, mirror);
     }
     wraps::<Rgb565>(AnyTexture::Rgb565);
     wraps::<Rgba8888>(AnyTexture::Rgba8888);

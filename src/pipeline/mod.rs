@@ -5,10 +5,12 @@
 //! attributes and the loop over spans; the rest works on integers and is compiled once.
 
 mod assembly;
+mod attenuated;
 mod cache;
 mod clip;
 mod clipper;
 mod cull;
+mod draw;
 mod fill;
 mod line;
 mod mapping;
@@ -22,6 +24,7 @@ mod resolve;
 mod screen_pass;
 mod transform;
 
+pub use attenuated::Attenuated;
 pub use cache::VertexCache;
 pub use clip::Clip;
 use cull::CulledWindings;

@@ -15,6 +15,9 @@ pub trait Interpolated: Varying {
     /// What leads from a triangle's words back to its values.
     type Base: Copy + Debug;
 
+    /// Log2 of the most pixels over which a step is good: at most 9.
+    const LONGEST: u32 = 7;
+
     /// The words of a triangle's corners.
     fn words(corners: &[Self::Corner; 3]) -> ([Self::Words; 3], Self::Base);
 
@@ -72,6 +75,15 @@ impl<const N: usize> Words for [u32; N] {
     }
 }
 
+/// The lesser of two numbers, in a constant.
+const fn lesser(a: u32, b: u32) -> u32 {
+    if a < b {
+        a
+    } else {
+        b
+    }
+}
+
 /// Groups side by side that share their perspective.
 macro_rules! groups {
     ($($group:ident $number:tt),+) => {
@@ -100,6 +112,12 @@ macro_rules! groups {
         impl<$($group: Interpolated),+> Interpolated for ($($group,)+) {
             type Words = ($($group::Words,)+);
             type Base = ($($group::Base,)+);
+
+            const LONGEST: u32 = {
+                let longest = 9;
+                $(let longest = lesser(longest, $group::LONGEST);)+
+                longest
+            };
 
             #[inline(always)]
             fn words(corners: &[Self::Corner; 3]) -> ([Self::Words; 3], Self::Base) {

@@ -116,6 +116,17 @@ where
     fn span<T: State, F: Format>(&self, prepared: &B::Prepared, row: Row<'_, T, F, Self::Varying>) {
         let step = <Perspective<Uv, M>>::inner_step(&row.step().1);
         let sampler = self.sampler.level(|| footprint(step));
+        if <Perspective<Uv, M>>::LINEAR {
+            let row = row.convert(|(surface, uv), (surface_step, step)| {
+                let UvStep { right, down } = *<Perspective<Uv, M>>::inner_step(&step);
+                let step = UvStep { right: sampler.begun_way(right), down };
+                ((surface, sampler.begin(*uv)), (surface_step, step))
+            });
+            return row.each(|(surface, uv)| {
+                let color = self.surface.fragment(prepared, surface)?;
+                Some(self.environment.combine(sampler.fetch_begun(*uv)?, color))
+            });
+        }
         row.each(|(surface, uv)| {
             let color = self.surface.fragment(prepared, surface)?;
             Some(self.environment.combine(sampler.fetch(uv.u, uv.v)?, color))

@@ -148,6 +148,8 @@ impl Interpolated for Uv {
     type Words = [u32; 2];
     type Base = UvBase;
 
+    const LONGEST: u32 = 9;
+
     #[inline(always)]
     fn words(corners: &[[i16; 2]; 3]) -> ([[u32; 2]; 3], UvBase) {
         let (u, up_u) = base(corners.map(|[u, _]| u));

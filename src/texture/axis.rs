@@ -1,22 +1,20 @@
 /// One axis of a texture as a sampler sees it: what [`Wrap`](super::Wrap) needs, made once.
 ///
-/// `at` is a coordinate in the vertex's units with 16 fraction bits.
+/// `at` is a coordinate in the vertex's units with 16 fraction bits; `turned` is one that a wrap has
+/// turned to the left, so that whole repeats (or pairs of them) are cut off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Axis {
     /// Number of the last texel.
     last: u32,
-    /// Texels from one to the next along this axis: 1, or the width.
-    stride: u32,
     /// Units of one repeat: log2.
     unit_bits: u32,
     /// Bits of a coordinate below the texel's number, where the side is a power of two.
     shift: u32,
-    /// Turns the texel's number to its place in an index.
-    rotate: u32,
-    /// What of an index belongs to this axis.
-    mask: u32,
-    /// Half a texel, less half a step of the 8-bit fraction.
-    bias: i32,
+    /// Bits below the texel's number and 8 of its fraction, where a repeat fills a word.
+    below: u32,
+    /// Turns a coordinate so that a repeat fills a word; 0 for a side of one texel, which is left at
+    /// its beginning: its number would be shifted by 32.
+    scale: u32,
 }
 
 // A coordinate's bits: up to 15 of a repeat's units, 16 of fractions, and a texel's number takes
@@ -24,57 +22,92 @@ pub struct Axis {
 const _: () = assert!(super::Texture::<crate::Rgb565>::MAX_SIDE == 1 << 12, "a shift above 0");
 
 impl Axis {
-    /// An axis of `side` texels (1 to 4096), `stride` apart, that repeats each 2^`unit_bits` units.
-    pub(super) const fn new(side: u16, stride: u16, unit_bits: u32) -> Self {
+    /// An axis of `side` texels (1 to 4096) that repeats each 2^`unit_bits` units.
+    pub(super) const fn new(side: u16, unit_bits: u32) -> Self {
         let unit_bits = if unit_bits > 15 { 15 } else { unit_bits };
-        let last = (side as u32).saturating_sub(1);
-        // Of a side that is no power of two, what follows is never asked for.
-        let shift = (unit_bits + 16).saturating_sub((side as u32).trailing_zeros());
+        // Of a side that is no power of two, what follows from the bits is never asked for.
+        let bits = (side as u32).trailing_zeros();
         Self {
-            last,
-            stride: stride as u32,
+            last: (side as u32).saturating_sub(1),
             unit_bits,
-            shift,
-            rotate: shift.wrapping_sub((stride as u32).trailing_zeros()) & 31,
-            mask: last.wrapping_mul(stride as u32),
-            bias: half_texel(shift),
+            shift: (unit_bits + 16).saturating_sub(bits),
+            below: 24u32.saturating_sub(bits),
+            scale: if side == 1 { 0 } else { 1 << (16 - unit_bits) },
         }
     }
 
-    /// The texel at `at`, endlessly repeated, as its part of an index.
+    /// Number of the last texel.
     #[inline(always)]
-    pub(super) const fn repeated(&self, at: i32) -> u32 {
-        self.turned(at) & self.mask
+    pub(super) const fn last(&self) -> u32 {
+        self.last
     }
 
-    /// The same and the next one.
+    /// Turned so that a repeat fills a word: coordinates and ways alike, modulo 2^32.
     #[inline(always)]
-    pub(super) const fn repeated_pair(&self, at: i32) -> [u32; 2] {
-        let turned = self.turned(at);
-        [turned & self.mask, turned.wrapping_add(self.stride) & self.mask]
+    pub(super) const fn turned(&self, at: i32) -> i32 {
+        at.cast_unsigned().wrapping_mul(self.scale).cast_signed()
     }
 
-    /// The texel at `at`, every second repeat mirrored, as its part of an index.
+    /// Turned so that two repeats fill a word.
     #[inline(always)]
-    pub(super) const fn mirrored(&self, at: i32) -> u32 {
-        // All ones in an odd repeat.
-        let flip = (at << (15 - self.unit_bits)) >> 31;
-        (self.turned(at) ^ flip.cast_unsigned()) & self.mask
+    pub(super) const fn turned_twice(&self, at: i32) -> i32 {
+        at.wrapping_shl(15 - self.unit_bits)
     }
 
-    /// The same and the next one.
+    /// The texel at a turned coordinate.
     #[inline(always)]
-    pub(super) const fn mirrored_pair(&self, at: i32) -> [u32; 2] {
-        let next = at.wrapping_add(1i32 << (self.shift & 31));
-        [self.mirrored(at), self.mirrored(next)]
+    pub(super) const fn repeated(&self, turned: i32) -> u32 {
+        turned.cast_unsigned().wrapping_shr(self.below.wrapping_add(8))
     }
 
-    /// Texel `number`, or the nearest there is, as its part of an index.
+    /// The same, and 8 bits of what lies behind its beginning.
+    #[inline(always)]
+    pub(super) const fn repeated_place(&self, turned: i32) -> (u32, u32) {
+        let place = turned.cast_unsigned().wrapping_shr(self.below);
+        (place >> 8, place & 255)
+    }
+
+    /// The texel behind another one, after the last one the first.
+    #[inline(always)]
+    pub(super) const fn next(&self, number: u32) -> u32 {
+        number.wrapping_add(1) & self.last
+    }
+
+    /// All ones in the second of two repeats.
+    #[inline(always)]
+    pub(super) const fn flip(&self, twice: i32) -> u32 {
+        (twice >> 31).cast_unsigned()
+    }
+
+    /// The texel at a coordinate that was turned twice, every second repeat mirrored.
+    #[inline(always)]
+    pub(super) const fn mirrored(&self, twice: i32) -> u32 {
+        // One texel has no bits: whatever is shifted, it is cut off.
+        let number = (twice.cast_unsigned() << 1).wrapping_shr(self.below.wrapping_add(8));
+        (number ^ self.flip(twice)) & self.last
+    }
+
+    /// 8 bits of what lies behind its beginning.
+    #[inline(always)]
+    pub(super) const fn mirrored_fraction(&self, twice: i32) -> u32 {
+        (twice.cast_unsigned() << 1).wrapping_shr(self.below) & 255
+    }
+
+    /// The coordinate one texel on.
+    #[inline(always)]
+    pub(super) const fn mirrored_next(&self, twice: i32) -> i32 {
+        twice.wrapping_add(1i32.wrapping_shl(self.below.wrapping_add(7)))
+    }
+
+    /// Texel `number`, or the nearest there is.
     #[inline(always)]
     pub(super) const fn clamped(&self, number: i32) -> u32 {
         let number = if number < 0 { 0 } else { number.cast_unsigned() };
-        let number = if number > self.last { self.last } else { number };
-        number.wrapping_mul(self.stride)
+        if number > self.last {
+            self.last
+        } else {
+            number
+        }
     }
 
     /// The number of the texel at `at`, which may lie outside.
@@ -83,20 +116,20 @@ impl Axis {
         at >> (self.shift & 31)
     }
 
-    /// Half a texel before `at`: where the left one of two texels begins.
+    /// Half a texel before `at`, less half of 2^-`places` texel, so that a fraction may be cut off:
+    /// where the left one of two texels begins.
     #[inline(always)]
-    pub(super) const fn before(&self, at: i32) -> i32 {
-        at.wrapping_sub(self.bias)
+    pub(super) const fn before(&self, at: i32, places: u32) -> i32 {
+        at.wrapping_sub(half_texel(self.shift, places))
     }
 
     /// The same, but never around the end of the numbers.
     #[inline(always)]
-    pub(super) const fn before_saturating(&self, at: i32) -> i32 {
-        at.saturating_sub(self.bias)
+    pub(super) const fn before_saturating(&self, at: i32, places: u32) -> i32 {
+        at.saturating_sub(half_texel(self.shift, places))
     }
 
-    /// How far behind the middle of the left one of two texels `at` lies, in units of 2^-8 of a
-    /// texel.
+    /// How far behind the beginning of its texel a coordinate lies, in units of 2^-8 of a texel.
     #[inline(always)]
     pub(super) const fn fraction(&self, before: i32) -> u32 {
         (before.cast_unsigned() << (32u32.wrapping_sub(self.shift) & 31)) >> 24
@@ -123,17 +156,11 @@ impl Axis {
     pub(super) const fn scaled_bits(&self) -> u32 {
         self.unit_bits + 4
     }
-
-    /// The coordinate turned so that the texel's number begins at the stride.
-    #[inline(always)]
-    const fn turned(&self, at: i32) -> u32 {
-        at.cast_unsigned().rotate_right(self.rotate)
-    }
 }
 
-/// Half a texel of `bits` fraction bits, less half of 2^-8 of it, so that a fraction may be cut
-/// off to 8 bits.
-pub(super) const fn half_texel(bits: u32) -> i32 {
+/// Half a texel of `bits` fraction bits, less half of 2^-`places` of it.
+#[inline(always)]
+pub(super) const fn half_texel(bits: u32, places: u32) -> i32 {
     let half = (1u32 << (bits & 31)) >> 1;
-    half.wrapping_sub(half >> 8).cast_signed()
+    half.wrapping_sub(half >> (places & 31)).cast_signed()
 }

@@ -3,14 +3,20 @@ use crate::color::Color;
 
 /// What a texture shows between the middles of its texels.
 pub trait Filter: Copy {
-    /// The colour at (`u`, `v`) of `texture`; `None` beyond its data, which checked sizes rule out.
+    /// A coordinate as the filter takes it and a run of pixels steps it, by what
+    /// [`Wrap::turned`] makes of the way.
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32;
+
+    /// The colour of `texture` where both coordinates have [begun](Self::begin); `None` beyond its
+    /// data, which checked sizes rule out. `constants` are the format's
+    /// [`CONSTANTS`](TexelFormat::CONSTANTS).
     fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
         self,
         texture: &Texture<'_, T>,
         wraps: (U, V),
         axes: &[Axis; 2],
-        u: i32,
-        v: i32,
+        uv: [i32; 2],
+        constants: [u32; 2],
     ) -> Option<Color>;
 }
 
@@ -23,42 +29,108 @@ pub struct Nearest;
 
 impl Filter for Nearest {
     #[inline(always)]
-    fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
-        self,
-        texture: &Texture<'_, T>,
-        (across, down): (U, V),
-        [u_axis, v_axis]: &[Axis; 2],
-        u: i32,
-        v: i32,
-    ) -> Option<Color> {
-        let index = down.nearest(v_axis, v).wrapping_add(across.nearest(u_axis, u));
-        texture.texel(index).map(T::decode)
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
+        wrap.turned(axis, at)
     }
-}
 
-/// Mixed from the four texels whose middles lie around the point.
-///
-/// # Rounding
-/// Places are rounded to 2^-8 of a texel; the formats say how they mix.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Bilinear;
-
-impl Filter for Bilinear {
     #[inline(always)]
     fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
         self,
         texture: &Texture<'_, T>,
         (across, down): (U, V),
         [u_axis, v_axis]: &[Axis; 2],
-        u: i32,
-        v: i32,
+        [u, v]: [i32; 2],
+        _constants: [u32; 2],
     ) -> Option<Color> {
-        let ([left, right], x) = across.pair(u_axis, u);
-        let ([upper, lower], y) = down.pair(v_axis, v);
-        let texel = |row: u32, column: u32| texture.texel(row.wrapping_add(column));
-        let (a, b) = (texel(upper, left)?, texel(upper, right)?);
-        let (c, d) = (texel(lower, left)?, texel(lower, right)?);
-        Some(T::mix([a, b, c, d], Weights::new(x, y)))
+        texture.texel(across.nearest(u_axis, u), down.nearest(v_axis, v)).map(T::decode)
+    }
+}
+
+/// Mixed from the four texels whose middles lie around the point, as finely as is cheap.
+///
+/// # Rounding
+/// The formats say to what fraction of a texel places are rounded
+/// ([`PLACES`](TexelFormat::PLACES)) and how texels mix ([`blend`](TexelFormat::blend)): RGB565 has
+/// weights of five bits and gives colours of its own, all others are as [`FineBilinear`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bilinear;
+
+/// Mixed from the four texels whose middles lie around the point.
+///
+/// # Rounding
+/// Places are rounded to 2^-8 of a texel; the formats say how they [mix](TexelFormat::mix).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FineBilinear;
+
+/// Bits of a place that are always there.
+const FINE: u32 = 8;
+
+/// The four texels around a point.
+#[inline(always)]
+fn corners<T: TexelFormat, U: Wrap, V: Wrap>(
+    texture: &Texture<'_, T>,
+    (across, down): (U, V),
+    [u_axis, v_axis]: &[Axis; 2],
+    [u, v]: [i32; 2],
+    places: u32,
+) -> Option<[T::Texel; 4]> {
+    let ([left, right], [upper, lower]) =
+        (across.pair(u_axis, u, places), down.pair(v_axis, v, places));
+    let (a, b) = (texture.texel(left, upper)?, texture.texel(right, upper)?);
+    let (c, d) = (texture.texel(left, lower)?, texture.texel(right, lower)?);
+    Some([a, b, c, d])
+}
+
+impl Filter for Bilinear {
+    #[inline(always)]
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
+        wrap.before(axis, at, T::PLACES)
+    }
+
+    #[inline(always)]
+    fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
+        self,
+        texture: &Texture<'_, T>,
+        wraps: (U, V),
+        axes: &[Axis; 2],
+        [u, v]: [i32; 2],
+        constants: [u32; 2],
+    ) -> Option<Color> {
+        let ((across, down), [u_axis, v_axis]) = (wraps, axes);
+        let (left, x) = across.place(u_axis, u, T::PLACES);
+        let (upper, y) = down.place(v_axis, v, T::PLACES);
+        let weights = Weights::new(x, y);
+        // Endless rows need no check: behind the last one there are no data.
+        if left < u_axis.last() && (V::ENDLESS || upper < v_axis.last()) {
+            if let Some(color) = texture.blend_square(left, upper, weights, constants) {
+                return Some(color);
+            }
+        }
+        let texels = corners(texture, wraps, axes, [u, v], T::PLACES)?;
+        Some(T::blend(texels, weights, constants))
+    }
+}
+
+impl Filter for FineBilinear {
+    #[inline(always)]
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
+        wrap.before(axis, at, FINE)
+    }
+
+    #[inline(always)]
+    fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
+        self,
+        texture: &Texture<'_, T>,
+        wraps: (U, V),
+        axes: &[Axis; 2],
+        [u, v]: [i32; 2],
+        _constants: [u32; 2],
+    ) -> Option<Color> {
+        let ((across, down), [u_axis, v_axis]) = (wraps, axes);
+        let (_, x) = across.place(u_axis, u, FINE);
+        let (_, y) = down.place(v_axis, v, FINE);
+        let texels = corners(texture, wraps, axes, [u, v], FINE)?;
+        Some(T::mix(texels, Weights::new(x, y)))
     }
 }
 
@@ -70,21 +142,33 @@ pub enum AnyFilter {
     Nearest,
     /// As [`Bilinear`](struct@Bilinear).
     Bilinear,
+    /// As [`FineBilinear`](struct@FineBilinear).
+    FineBilinear,
 }
 
 impl Filter for AnyFilter {
+    #[inline(always)]
+    fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
+        match self {
+            Self::Nearest => Nearest.begin::<T, W>(wrap, axis, at),
+            Self::Bilinear => Bilinear.begin::<T, W>(wrap, axis, at),
+            Self::FineBilinear => FineBilinear.begin::<T, W>(wrap, axis, at),
+        }
+    }
+
     #[inline(always)]
     fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
         self,
         texture: &Texture<'_, T>,
         wraps: (U, V),
         axes: &[Axis; 2],
-        u: i32,
-        v: i32,
+        [u, v]: [i32; 2],
+        constants: [u32; 2],
     ) -> Option<Color> {
         match self {
-            Self::Nearest => Nearest.sample(texture, wraps, axes, u, v),
-            Self::Bilinear => Bilinear.sample(texture, wraps, axes, u, v),
+            Self::Nearest => Nearest.sample(texture, wraps, axes, [u, v], constants),
+            Self::Bilinear => Bilinear.sample(texture, wraps, axes, [u, v], constants),
+            Self::FineBilinear => FineBilinear.sample(texture, wraps, axes, [u, v], constants),
         }
     }
 }

@@ -25,8 +25,10 @@ use crate::color::{Rgb565, Rgba8888};
 /// # }
 /// ```
 pub struct MipMap<'a, T: TexelFormat = Rgb565> {
-    /// The largest picture; its words go on with the others.
+    /// The largest picture.
     base: Texture<'a, T>,
+    /// Its words and those of all others.
+    words: &'a [T::Word],
 }
 
 impl<T: TexelFormat> Clone for MipMap<'_, T> {
@@ -75,7 +77,7 @@ impl<'a, T: TexelFormat> MipMap<'a, T> {
                 if words.len() < needed {
                     return Err(TextureError::Length { needed, got: words.len() });
                 }
-                Ok(Self { base })
+                Ok(Self { base, words })
             }
         }
     }
@@ -99,8 +101,10 @@ impl<'a, T: TexelFormat> MipMap<'a, T> {
     pub fn level(&self, number: u32) -> Texture<'a, T> {
         let (width, height) = (self.base.width(), self.base.height());
         let number = number.min(Self::last(width, height));
-        // Checked before: there are words from the start on.
-        let words = self.base.words().get(Self::start(width, height, number)..).unwrap_or_default();
+        // Checked before: there are so many words.
+        let from = Self::start(width, height, number);
+        let to = Self::start(width, height, number.wrapping_add(1));
+        let words = self.words.get(from..to).unwrap_or_default();
         Texture::checked(words, self.base.palette(), side(width, number), side(height, number))
     }
 

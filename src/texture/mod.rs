@@ -5,7 +5,7 @@
 //! | a picture | [`Texture`], [`MipMap`] with its smaller copies |
 //! | how a texel is stored | [`TexelFormat`]: [`Rgb565`](crate::Rgb565), [`Rgba8888`](crate::Rgba8888), [`Rgba5551`], [`Rgba4444`], [`Luminance8`], [`Alpha8`], [`Indexed8`], [`Indexed4`], and [`Color`](crate::Color) itself |
 //! | what lies beyond the picture | [`Wrap`]: [`Repeat`], [`Mirror`], [`Clamp`], [`ClampAny`] |
-//! | what lies between texels | [`Filter`]: [`Nearest`], [`Bilinear`] |
+//! | what lies between texels | [`Filter`]: [`Nearest`], [`Bilinear`], [`FineBilinear`] |
 //! | how it meets the surface's colour | [`Environment`]: [`Modulate`], [`Replace`], [`Decal`], [`Add`] |
 //! | all of it put together | [`Sampler`], [`MipSampler`] |
 //!
@@ -36,7 +36,7 @@ pub use any_sampler::{AnySampler, AnyTexture};
 pub use axis::Axis;
 pub use environment::{Add, AnyEnvironment, Decal, Environment, Modulate, Replace};
 pub use error::TextureError;
-pub use filter::{AnyFilter, Bilinear, Filter, Nearest};
+pub use filter::{AnyFilter, Bilinear, Filter, FineBilinear, Nearest};
 pub use footprint::Footprint;
 pub use format::{Alpha8, Indexed4, Indexed8, Luminance8, Rgba4444, Rgba5551};
 pub use mip_map::{MipMap, Reduce};

@@ -1,5 +1,6 @@
 use super::Footprint;
 use crate::color::Color;
+use crate::shade::Uv;
 
 /// What gives a colour at a place of a texture: a sampler of any kind.
 pub trait Sample {
@@ -12,4 +13,23 @@ pub trait Sample {
     /// The colour at (`u`, `v`): the vertex's units with 16 fraction bits, wrapping. `None` discards
     /// the fragment, which only a sampler of your own does.
     fn fetch(&self, u: i32, v: i32) -> Option<Color>;
+
+    /// Coordinates in a form that is cheaper to fetch from, and that a run of pixels steps by
+    /// [`begun_way`](Self::begun_way): the same bits as fetching at each pixel's coordinates.
+    #[inline(always)]
+    fn begin(&self, uv: Uv) -> Uv {
+        uv
+    }
+
+    /// The way from one pixel to the next in that form.
+    #[inline(always)]
+    fn begun_way(&self, way: Uv) -> Uv {
+        way
+    }
+
+    /// The colour at coordinates that have [begun](Self::begin).
+    #[inline(always)]
+    fn fetch_begun(&self, Uv { u, v }: Uv) -> Option<Color> {
+        self.fetch(u, v)
+    }
 }

@@ -3,6 +3,7 @@ use super::{
     Wrap,
 };
 use crate::color::Color;
+use crate::shade::Uv;
 
 /// A texture and how it is read.
 ///
@@ -30,6 +31,8 @@ pub struct Sampler<'a, T: TexelFormat, F = Nearest, U = Repeat, V = U> {
     axes: [Axis; 2],
     filter: F,
     wraps: (U, V),
+    /// The format's.
+    constants: [u32; 2],
 }
 
 impl<T: TexelFormat, F: Copy, U: Copy, V: Copy> Clone for Sampler<'_, T, F, U, V> {
@@ -96,8 +99,8 @@ impl<'a, T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sampler<'a, T, F, U, V> {
         unit_bits: u32,
     ) -> Self {
         let (width, height) = (texture.width(), texture.height());
-        let axes = [Axis::new(width, 1, unit_bits), Axis::new(height, width, unit_bits)];
-        Self { texture, axes, filter, wraps }
+        let axes = [Axis::new(width, unit_bits), Axis::new(height, unit_bits)];
+        Self { texture, axes, filter, wraps, constants: T::CONSTANTS }
     }
 
     /// One repeat is 2^`bits` units of the vertex's along both axes: 0 to 15, above that 15.
@@ -121,7 +124,22 @@ impl<'a, T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sampler<'a, T, F, U, V> {
     /// pixel loop has nothing else to draw then, and keeps texels packed where formats agree.
     #[inline(always)]
     pub fn fetch(&self, u: i32, v: i32) -> Option<Color> {
-        self.filter.sample(&self.texture, self.wraps, &self.axes, u, v)
+        self.fetch_begun(self.begin(Uv { u, v }))
+    }
+
+    /// Coordinates in the form that a run of pixels steps: see [`Sample::begin`].
+    #[inline(always)]
+    fn begin(&self, Uv { u, v }: Uv) -> Uv {
+        let ([u_axis, v_axis], (across, down)) = (&self.axes, self.wraps);
+        let u = self.filter.begin::<T, U>(across, u_axis, u);
+        Uv { u, v: self.filter.begin::<T, V>(down, v_axis, v) }
+    }
+
+    /// The colour there.
+    #[inline(always)]
+    fn fetch_begun(&self, Uv { u, v }: Uv) -> Option<Color> {
+        let Self { texture, axes, filter, wraps, constants } = self;
+        filter.sample(texture, *wraps, axes, [u, v], *constants)
     }
 }
 
@@ -136,5 +154,21 @@ impl<T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sample for Sampler<'_, T, F, U
     #[inline(always)]
     fn fetch(&self, u: i32, v: i32) -> Option<Color> {
         self.fetch(u, v)
+    }
+
+    #[inline(always)]
+    fn begin(&self, uv: Uv) -> Uv {
+        self.begin(uv)
+    }
+
+    #[inline(always)]
+    fn begun_way(&self, Uv { u, v }: Uv) -> Uv {
+        let ([u_axis, v_axis], (across, down)) = (&self.axes, self.wraps);
+        Uv { u: across.turned(u_axis, u), v: down.turned(v_axis, v) }
+    }
+
+    #[inline(always)]
+    fn fetch_begun(&self, uv: Uv) -> Option<Color> {
+        self.fetch_begun(uv)
     }
 }

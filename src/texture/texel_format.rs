@@ -12,6 +12,13 @@ pub trait TexelFormat {
     /// One texel, still packed.
     type Texel: Copy;
 
+    /// How many bits of a place between texels, 1 to 8, [`blend`](Self::blend) takes.
+    const PLACES: u32 = 8;
+
+    /// Two words that [`blend`](Self::blend) is handed again: kept for a run of pixels, they are not
+    /// made anew for each.
+    const CONSTANTS: [u32; 2] = [0; 2];
+
     /// Texels in one word of the data; rows follow each other without a gap.
     const TEXELS_PER_WORD: usize = 1;
 
@@ -29,6 +36,25 @@ pub trait TexelFormat {
     #[inline(always)]
     fn mix(texels: [Self::Texel; 4], weights: Weights) -> Color {
         mix_colors(texels.map(Self::decode), weights)
+    }
+
+    /// The same as finely as is cheap: for [`Bilinear`](super::Bilinear).
+    #[inline(always)]
+    fn blend(texels: [Self::Texel; 4], weights: Weights, _constants: [u32; 2]) -> Color {
+        Self::mix(texels, weights)
+    }
+
+    /// The same of texel `index`, the next one, and both a row behind, that is, so many texels: a
+    /// format may do that with one check. `None` where it does not, and beyond the end of the data.
+    #[inline(always)]
+    fn blend_square(
+        _words: &[Self::Word],
+        _palette: &Self::Palette,
+        _index_and_row: [usize; 2],
+        _weights: Weights,
+        _constants: [u32; 2],
+    ) -> Option<Color> {
+        None
     }
 }
 

@@ -1,5 +1,5 @@
-use super::{TexelFormat, TextureError};
-use crate::color::Rgb565;
+use super::{TexelFormat, TextureError, Weights};
+use crate::color::{Color, Rgb565};
 
 /// A picture in memory of the caller's: borrowed, never copied.
 ///
@@ -80,10 +80,11 @@ impl<'a, T: TexelFormat> Texture<'a, T> {
         if words.len() < needed {
             return Err(TextureError::Length { needed, got: words.len() });
         }
-        Ok(Self { words, palette, width, height })
+        // The data end with the picture, so that what lies beyond its last row is not found.
+        Ok(Self { words: words.split_at(needed).0, palette, width, height })
     }
 
-    /// The same where all of that is known.
+    /// The same where all of that is known; `words` are no more than needed.
     pub(super) const fn checked(
         words: &'a [T::Word],
         palette: &'a T::Palette,
@@ -103,11 +104,6 @@ impl<'a, T: TexelFormat> Texture<'a, T> {
         self.height
     }
 
-    /// The data as they were given.
-    pub(super) const fn words(&self) -> &'a [T::Word] {
-        self.words
-    }
-
     /// What indices mean.
     pub(super) const fn palette(&self) -> &'a T::Palette {
         self.palette
@@ -118,9 +114,29 @@ impl<'a, T: TexelFormat> Texture<'a, T> {
         self.width.is_power_of_two() && self.height.is_power_of_two()
     }
 
-    /// Texel `index`, row by row, still packed; `None` beyond the data.
+    /// The place of a texel in the data.
     #[inline(always)]
-    pub(super) fn texel(&self, index: u32) -> Option<T::Texel> {
-        T::fetch(self.words, self.palette, index as usize)
+    fn index(&self, x: u32, y: u32) -> usize {
+        y.wrapping_mul(self.width.into()).wrapping_add(x) as usize
+    }
+
+    /// Texel `x` of row `y`, still packed; `None` beyond the data.
+    #[inline(always)]
+    pub(super) fn texel(&self, x: u32, y: u32) -> Option<T::Texel> {
+        T::fetch(self.words, self.palette, self.index(x, y))
+    }
+
+    /// What the same one, the one behind it, and both below show between them; `None` where that is
+    /// not cheap or they are beyond the data.
+    #[inline(always)]
+    pub(super) fn blend_square(
+        &self,
+        x: u32,
+        y: u32,
+        weights: Weights,
+        constants: [u32; 2],
+    ) -> Option<Color> {
+        let place = [self.index(x, y), self.width.into()];
+        T::blend_square(self.words, self.palette, place, weights, constants)
     }
 }

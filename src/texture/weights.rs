@@ -14,6 +14,12 @@ impl Weights {
         Self { x: x & 255, y: y & 255 }
     }
 
+    /// The distances to the right and down in units of 2^-5, cut off: 0 to 31.
+    #[inline(always)]
+    pub const fn coarse(self) -> [u32; 2] {
+        [self.x >> 3, self.y >> 3]
+    }
+
     /// The shares of the four texels (upper left, upper right, lower left, lower right) in units of
     /// 2^-8; their sum is 256.
     ///

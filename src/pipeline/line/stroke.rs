@@ -7,7 +7,7 @@ use crate::raster::{
     limited, plane_triangle, Gradients, Line, MidpointPath, Path, Pixel, Plane, PointSquare,
     ScreenVertex, Span, Steps,
 };
-use crate::shade::{Corner, Event, Fragments, Row, State, Varying};
+use crate::shade::{ColorOutput, Corner, DepthTest, Event, Fragments, Row, State, Varying};
 
 /// A line to be drawn.
 pub struct LineDraw<'a, V: Varying> {
@@ -119,6 +119,12 @@ fn exact(ends: &[ScreenVertex; 2], width: i32) -> Option<Line> {
     Line::between(moved(a), moved(b))
 }
 
+/// The plane that has the mean of both ends' codes everywhere, rounded down.
+fn mean([a, b]: &[ScreenVertex; 2]) -> Plane {
+    let sum = u32::from(a.z).wrapping_add(b.z.into());
+    Plane { origin: sum >> 1 << 16 | 0x8000, dx: 0, dy: 0 }
+}
+
 /// A line on its way into the frame.
 struct Stroke<'a, V: Varying, R, P> {
     line: &'a LineDraw<'a, V>,
@@ -155,6 +161,18 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         D: Supplies<Access<S>>,
     {
         let LineDraw { ends, corners, provoking, area, before } = *self.line;
+        let (depth, output, _) = state.parts();
+        let ends = if depth.maps() {
+            ends.map(|end| ScreenVertex { z: depth.map(end.z), ..end })
+        } else {
+            ends
+        };
+        let is_constant = depth.is_constant();
+        let corners = if H::COLOR_AS_IS && output.dims() {
+            &corners.each_ref().map(V::dim::<F>)
+        } else {
+            corners
+        };
         let by_columns = self.path.by_columns();
         let (from, to) = self.path.ends();
         let along = to.wrapping_sub(from).max(0).cast_unsigned();
@@ -168,7 +186,8 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         let mut is_drawn = false;
         if let Some(head) = self.head {
             let (varying, step) = V::on_point(&corners[0], &PointSquare::NONE, head.x, head.y);
-            let z = u32::from(ends[0].z) << 16 | 0x8000;
+            let z =
+                if is_constant { mean(&ends).origin } else { u32::from(ends[0].z) << 16 | 0x8000 };
             let pattern = self.pattern.started(before);
             for copy in 0..self.width {
                 let (x, y) = if by_columns { (0, copy) } else { (copy, 0) };
@@ -205,7 +224,8 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         // What neither depth nor varyings ask for is not computed.
         let triangle = plane_triangle(&ends, by_columns);
         let gradients = if V::INTERPOLATED { Gradients::new(&triangle) } else { Gradients::NONE };
-        let z_plane = match (<Access<S>>::TOUCHES, V::INTERPOLATED) {
+        let z_plane = match (<Access<S>>::HAS_DEPTH, V::INTERPOLATED) {
+            (true, _) if is_constant => mean(&ends),
             (true, true) => depth_plane(&gradients, &triangle),
             (true, false) => lone_depth_plane(&triangle),
             (false, _) => Plane::default(),
@@ -216,9 +236,9 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         // Planes are level across the line: any row will do.
         let level = if by_columns { ends[0].y_bits() } else { ends[0].x_bits() } >> 4;
         // Where rows of colour and of depth differ in length, pixel by pixel.
-        let (stride, cell_stride) = frame.strides::<Access<S>>();
+        let has_one_stride = frame.has_one_stride::<Access<S>>();
         let longest = |path: &R, at: i32| {
-            if stride == cell_stride {
+            if has_one_stride {
                 path.good_until(at)
             } else {
                 at.wrapping_add(1)
@@ -288,7 +308,7 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
     {
         let Self { first, by_columns, mut steps, mut z, z_step, mut varying, step, .. } = *self;
         let (depth, output, counter) = state.parts();
-        let (stride, _) = frame.strides::<Access<S>>();
+        let stride = frame.stride();
         let (least, sign) = self.least_step;
         let Pixel { mut x, mut y } = first;
         let (along, across) = if by_columns { (1, stride) } else { (stride, 1) };

@@ -30,6 +30,8 @@ impl<V> Deref for AffineValue<V> {
 impl<V: Interpolated> PerspectiveVarying for AffineValue<V> {
     type Inner = V;
 
+    const LINEAR: bool = true;
+
     #[inline(always)]
     fn inner_step(step: &V::Step) -> &V::Step {
         step

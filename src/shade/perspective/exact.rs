@@ -45,6 +45,8 @@ impl<V: Interpolated> Deref for ExactValue<V> {
 impl<V: Interpolated> PerspectiveVarying for ExactValue<V> {
     type Inner = V;
 
+    const LINEAR: bool = false;
+
     #[inline(always)]
     fn inner_step(step: &ExactStep<V>) -> &V::Step {
         &step.inner

@@ -18,6 +18,9 @@ pub trait PerspectiveVarying:
     /// What is interpolated.
     type Inner: Interpolated;
 
+    /// Whether what is interpolated goes from pixel to pixel of a run in equal steps.
+    const LINEAR: bool;
+
     /// The step of what is interpolated, at the first pixel of a run.
     fn inner_step(step: &<Self as Stepped>::Step) -> &<Self::Inner as Stepped>::Step;
 }

@@ -14,7 +14,7 @@ pub struct Every<const N: i32>;
 /// Knots as near as they have to be: `2^k` columns apart, such that the error stays below a quarter
 /// of what a pixel covers.
 ///
-/// `N` is the largest power of two up to 128 with `N^2 |dq| <= q` in the whole row, where q is 1 / w
+/// `N` is the largest power of two up to 128 (512 for texture coordinates alone) with `N^2 |dq| <= q` in the whole row, where q is 1 / w
 /// and dq what it changes by from pixel to pixel: floors and walls that run across the view need few
 /// knots. Where that is less than 16, it is chosen anew for each 16 columns of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,8 +22,8 @@ pub struct Adaptive;
 
 /// How far knots are apart.
 pub trait Interval: Copy {
-    /// The power of two in the columns from `from` to `to` of row `y`.
-    fn exponent(q: &Plane, y: i32, from: i32, to: i32) -> u32;
+    /// The power of two, at most `longest`, in the columns from `from` to `to` of row `y`.
+    fn exponent(q: &Plane, y: i32, from: i32, to: i32, longest: u32) -> u32;
     /// The least that a whole row may have; below it is chosen for each cell of so many columns.
     const CELL: u32;
 }
@@ -35,7 +35,7 @@ impl<const N: i32> Interval for Every<N> {
     };
 
     #[inline(always)]
-    fn exponent(_: &Plane, _y: i32, _from: i32, _to: i32) -> u32 {
+    fn exponent(_: &Plane, _y: i32, _from: i32, _to: i32, _longest: u32) -> u32 {
         Self::CELL
     }
 }
@@ -44,10 +44,10 @@ impl Interval for Adaptive {
     const CELL: u32 = 4;
 
     #[inline(always)]
-    fn exponent(q: &Plane, y: i32, from: i32, to: i32) -> u32 {
+    fn exponent(q: &Plane, y: i32, from: i32, to: i32, longest: u32) -> u32 {
         let least = q.at(from, y).min(q.at(to, y));
         let change = q.dx.cast_signed().unsigned_abs();
-        let mut exponent = 7;
+        let mut exponent = longest;
         while exponent > 0 && change > least >> (2 * exponent) {
             exponent -= 1;
         }
@@ -101,6 +101,8 @@ impl<V, I> Deref for SubspanValue<V, I> {
 impl<V: Interpolated, I: Interval> PerspectiveVarying for SubspanValue<V, I> {
     type Inner = V;
 
+    const LINEAR: bool = true;
+
     #[inline(always)]
     fn inner_step(step: &V::Step) -> &V::Step {
         step
@@ -149,7 +151,7 @@ impl<V: Interpolated, I: Interval> Varying for SubspanValue<V, I> {
     #[inline(always)]
     fn runs(planes: &PerspectivePlanes<V>, span: &Span) -> Subspan<V::Words> {
         let Span { y, first, left, behind, .. } = *span;
-        let row = I::exponent(&planes.q, y, first, behind.wrapping_sub(1));
+        let row = I::exponent(&planes.q, y, first, behind.wrapping_sub(1), V::LONGEST);
         let is_even = row >= I::CELL;
         // The knot at or before the first pixel that is drawn.
         let exponent = if is_even { row } else { cell_exponent::<I>(&planes.q, span, left) };
@@ -209,7 +211,7 @@ impl<V: Interpolated, I: Interval> Varying for SubspanValue<V, I> {
 fn cell_exponent<I: Interval>(q: &Plane, span: &Span, x: i32) -> u32 {
     let cell = x >> I::CELL << I::CELL;
     let (next, last) = (cell.wrapping_add(1 << I::CELL), span.behind.wrapping_sub(1));
-    I::exponent(q, span.y, cell.max(span.first), next.min(last)).min(I::CELL)
+    I::exponent(q, span.y, cell.max(span.first), next.min(last), I::CELL)
 }
 
 /// Steps of a run that is shorter than knots are apart.
@@ -221,7 +223,7 @@ fn short_steps<W: Words>(change: W, length: i32) -> W {
     let Reciprocal { mantissa, shift } = reciprocal_of_some(length.cast_unsigned());
     change.map(|change| {
         let step = mul_high_signed(change.cast_signed(), mantissa);
-        // The length is below 2^8, so that 32 of the shift's at most 62 are not too many.
+        // The length is below 2^10, so that 32 of the shift's at most 62 are not too many.
         step.wrapping_shr(shift.wrapping_sub(32)).cast_unsigned()
     })
 }

@@ -15,6 +15,8 @@ impl<E: PaletteEntry> TexelFormat for Indexed4<E> {
     type Palette = [E::Word; 16];
     type Texel = E::Word;
 
+    const PLACES: u32 = E::PLACES;
+    const CONSTANTS: [u32; 2] = E::CONSTANTS;
     const TEXELS_PER_WORD: usize = 2;
 
     #[inline(always)]
@@ -34,5 +36,10 @@ impl<E: PaletteEntry> TexelFormat for Indexed4<E> {
     #[inline(always)]
     fn mix(texels: [E::Word; 4], weights: Weights) -> Color {
         E::mix(texels, weights)
+    }
+
+    #[inline(always)]
+    fn blend(texels: [E::Word; 4], weights: Weights, constants: [u32; 2]) -> Color {
+        E::blend(texels, weights, constants)
     }
 }

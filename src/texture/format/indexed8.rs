@@ -25,6 +25,9 @@ impl<E: PaletteEntry> TexelFormat for Indexed8<E> {
     type Palette = [E::Word; 256];
     type Texel = E::Word;
 
+    const PLACES: u32 = E::PLACES;
+    const CONSTANTS: [u32; 2] = E::CONSTANTS;
+
     #[inline(always)]
     fn fetch(words: &[u8], palette: &[E::Word; 256], index: usize) -> Option<E::Word> {
         // Every byte has its entry.
@@ -39,5 +42,10 @@ impl<E: PaletteEntry> TexelFormat for Indexed8<E> {
     #[inline(always)]
     fn mix(texels: [E::Word; 4], weights: Weights) -> Color {
         E::mix(texels, weights)
+    }
+
+    #[inline(always)]
+    fn blend(texels: [E::Word; 4], weights: Weights, constants: [u32; 2]) -> Color {
+        E::blend(texels, weights, constants)
     }
 }

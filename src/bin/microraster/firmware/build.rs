@@ -32,6 +32,9 @@ const FOREIGN: [&str; 8] = [
     "RUSTC_WORKSPACE_WRAPPER",
 ];
 
+/// Names the feature to the examples that are built for one at a time.
+const FEATURE: &str = "MICRORASTER_FEATURE";
+
 impl House {
     /// Finds the package: cargo names it when it runs this program.
     ///
@@ -66,6 +69,19 @@ impl House {
     /// # Errors
     /// No compiler for the target, or the build failed.
     pub(crate) fn example(&self, name: &str, board: &Board) -> Result<PathBuf, String> {
+        self.example_of(name, "", board)
+    }
+
+    /// The same of an example that is built for one `feature` at a time.
+    ///
+    /// # Errors
+    /// No compiler for the target, or the build failed.
+    pub(crate) fn example_of(
+        &self,
+        name: &str,
+        feature: &str,
+        board: &Board,
+    ) -> Result<PathBuf, String> {
         let mut arguments = vec!["--example", name];
         arguments.push("--");
         let symbols: Vec<_> =
@@ -73,7 +89,7 @@ impl House {
         for symbol in &symbols {
             arguments.extend(["-C", symbol]);
         }
-        let built = self.cargo(board.target, &arguments)?.join("examples").join(name);
+        let built = self.cargo(board.target, feature, &arguments)?.join("examples").join(name);
         let kept = self.firmware()?.join(format!("{name}-{}.elf", board.name));
         std::fs::copy(&built, &kept)
             .map_err(|why| format!("cannot copy {}: {why}", built.display()))?;
@@ -85,12 +101,12 @@ impl House {
     /// # Errors
     /// No compiler for the target, or the build failed.
     pub(crate) fn library(&self, target: &str) -> Result<(), String> {
-        self.cargo(target, &["--lib", "--"]).map(|_| ())
+        self.cargo(target, "", &["--lib", "--"]).map(|_| ())
     }
 
     /// Runs `cargo rustc --release` with `arguments`, which contain a `--`; returns the folder
     /// that the result lies in.
-    fn cargo(&self, target: &str, arguments: &[&str]) -> Result<PathBuf, String> {
+    fn cargo(&self, target: &str, feature: &str, arguments: &[&str]) -> Result<PathBuf, String> {
         let toolchain = Toolchain::find(target)?;
         let mut folder = self.target.clone();
         let mut command = match &toolchain {
@@ -105,6 +121,10 @@ impl House {
         }
         command.args(["rustc", "--locked", "--release", "--quiet", "--target", target]);
         command.args(arguments);
+        match feature {
+            "" => command.env_remove(FEATURE),
+            _ => command.env(FEATURE, feature),
+        };
         if let Toolchain::Debian { linker } = &toolchain {
             // The compiler is a release; building core needs its unstable half.
             command

@@ -55,8 +55,8 @@ pub(crate) struct Arguments {
     /// Memory by section; with --sizes, every symbol.
     #[arg(short, long)]
     verbose: bool,
-    /// Put speeds and sizes into the table of a Markdown file.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["profile", "sizes", "library"])]
+    /// Put speeds and sizes, or with --features those sizes, into the table of a Markdown file.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["profile", "library"])]
     figures: Option<PathBuf>,
     /// Print where the instructions of one scene go, by function and by address.
     #[arg(long, value_name = "SCENE", conflicts_with_all = ["scenes", "sizes", "library"])]
@@ -67,6 +67,9 @@ pub(crate) struct Arguments {
     /// Weigh the size proofs instead: flash by kind of code.
     #[arg(long, conflicts_with_all = ["scenes", "library"])]
     sizes: bool,
+    /// With --sizes, weigh each feature alone, as flash more than flat triangles.
+    #[arg(long, requires = "sizes")]
+    features: bool,
     /// Build the bare library, without alloc, for Armv6-M, Armv7E-M, RISC-V and wasm instead.
     #[arg(long, conflicts_with_all = ["scenes", "boards"])]
     library: bool,
@@ -86,6 +89,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
             println!("target={target} library=built");
             Ok(())
         });
+    }
+    if arguments.features {
+        let mut figures = Figures::default();
+        for board in boards {
+            sizes::features(&house, board, &mut figures)?;
+        }
+        return arguments.figures.as_ref().map_or(Ok(()), |file| figures.write(file));
     }
     if arguments.sizes {
         return sizes::print(&house, &boards, arguments.verbose);

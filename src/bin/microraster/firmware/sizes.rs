@@ -3,6 +3,8 @@
 use super::board::Board;
 use super::build::House;
 use super::elf::{Elf, Symbol};
+use super::figures::Figures;
+use std::path::Path;
 
 /// The examples that are weighed, each adding to the one before it.
 const PROOFS: [&str; 3] = ["size_flat", "size_gouraud", "size_two"];
@@ -122,8 +124,12 @@ pub(crate) fn figures(house: &House, board: &Board) -> Result<Vec<(String, u32)>
 
 /// Builds a proof; it must not link a heap.
 fn proof_elf(house: &House, board: &Board, proof: &str) -> Result<Elf, String> {
-    let file = house.example(proof, board)?;
-    let bytes = std::fs::read(&file).map_err(|why| format!("{}: {why}", file.display()))?;
+    read(&house.example(proof, board)?, proof, board)
+}
+
+/// Reads a file, which must not link a heap.
+fn read(file: &Path, proof: &str, board: &Board) -> Result<Elf, String> {
+    let bytes = std::fs::read(file).map_err(|why| format!("{}: {why}", file.display()))?;
     let elf = Elf::read(&bytes)?;
     match elf.allocator() {
         Some(name) => Err(format!("{proof} on {} links a heap: {name}", board.name)),
@@ -153,6 +159,9 @@ pub(crate) fn print(house: &House, boards: &[&Board], verbose: bool) -> Result<(
         let mut before = None;
         for proof in PROOFS {
             let elf = proof_elf(house, board, proof)?;
+            if proof == "size_flat" {
+                contains_nothing_else(&elf, board)?;
+            }
             let weights = Weights::of(&elf);
             println!(
                 "{:5} {proof:14} {:8} {:8} {:8} {:10} {:8} {:8} {:9} {:8}",
@@ -187,6 +196,108 @@ fn symbols(elf: &Elf) {
         let kind = format!("{:?}", Kind::of(symbol)).to_lowercase();
         println!("    {:6} {kind:9} {:#}", symbol.size, rustc_demangle::demangle(&symbol.name));
     }
+}
+
+/// What is weighed one at a time, as `examples/size_feature.rs` names it.
+const FEATURES: [&str; 36] = [
+    "depth",
+    "constant depth",
+    "read-only depth",
+    "polygon offset",
+    "depth range",
+    "gouraud",
+    "lambert",
+    "point light",
+    "blinn-phong",
+    "phong",
+    "matcap",
+    "nearest texture",
+    "bilinear texture",
+    "affine texture",
+    "texture every 16",
+    "exact texture",
+    "mip-mapped texture",
+    "fog at vertices",
+    "fog at fragments",
+    "alpha blending",
+    "multiply blending",
+    "dither 4x4",
+    "dither 8x8",
+    "colour mask",
+    "indexed",
+    "strip",
+    "lines",
+    "midpoint lines",
+    "wide lines",
+    "stippled lines",
+    "rectangular lines",
+    "smooth lines",
+    "wireframe",
+    "points",
+    "supersampling",
+    "counting",
+];
+
+/// Parts of names that belong to one feature or another: flat triangles contain none of them.
+const FOREIGN: [&str; 16] = [
+    "texture",
+    "lighting",
+    "fog",
+    "phong",
+    "matcap",
+    "perspective",
+    "blend",
+    "dither",
+    "color_mask",
+    "depth_state",
+    "stencil",
+    "::line::",
+    "::point",
+    "resolve",
+    "smooth_color",
+    "counter",
+];
+
+/// Names of what is not asked for, which stand in types beside the others.
+const DEFAULTS: [&str; 4] =
+    ["blend::Replace", "dither::Undithered", "color_mask::AllChannels", "counter::Uncounted"];
+
+/// Flat triangles must contain no function of another feature.
+fn contains_nothing_else(flat: &Elf, board: &Board) -> Result<(), String> {
+    for symbol in flat.symbols.iter().filter(|symbol| Kind::of(symbol) == Kind::Own) {
+        let mut name = format!("{:#}", rustc_demangle::demangle(&symbol.name));
+        for default in DEFAULTS {
+            name = name.replace(default, "");
+        }
+        if let Some(part) = FOREIGN.iter().find(|part| name.contains(*part)) {
+            return Err(format!("flat triangles on {} contain {part}: {name}", board.name));
+        }
+    }
+    Ok(())
+}
+
+/// Weighs each feature alone, as bytes of flash more than flat triangles, and puts them into a
+/// table.
+///
+/// # Errors
+/// A build failed, a file cannot be read or links a heap, or flat triangles contain code of another
+/// feature.
+pub(crate) fn features(house: &House, board: &Board, figures: &mut Figures) -> Result<(), String> {
+    figures.board(board.name);
+    let weigh = |feature: &str| {
+        let file = house.example_of("size_feature", feature, board)?;
+        read(&file, feature, board)
+    };
+    let flat = weigh("flat")?;
+    contains_nothing_else(&flat, board)?;
+    println!("board={} feature=flat flash={}", board.name, flat.flash());
+    figures.put("flat triangles, all", flat.flash().to_string());
+    for feature in FEATURES {
+        let more = i64::from(weigh(feature)?.flash()) - i64::from(flat.flash());
+        println!("board={} feature={feature:?} more={more}", board.name);
+        figures.put(feature, more.to_string());
+    }
+    Ok(())
 }
 
 #[cfg(test)]

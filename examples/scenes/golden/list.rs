@@ -352,7 +352,7 @@ static PICTURES: [Picture; 32] = [
     },
     // The teapot's shadow: no pixel is darkened twice.
     Picture {
-        name: "shadow",
+        name: "planar-shadow",
         draws: &[
             Draw::Mesh(MeshDraw { shape: Shape::Floor, camera: high, model: below, ..OPEN }),
             Draw::Mesh(MeshDraw { camera: high, ..TEAPOT }),

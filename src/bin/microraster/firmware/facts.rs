@@ -196,6 +196,14 @@ impl fmt::Display for Line {
 mod tests {
     use super::*;
 
+    #[test]
+    fn scenes_have_names_of_their_own() {
+        let mut names: Vec<_> = scenes::<Counter>().map(|scene| scene.name).collect();
+        names.sort_unstable();
+        let twice: Vec<_> = names.windows(2).filter(|pair| pair[0] == pair[1]).collect();
+        assert!(twice.is_empty(), "{twice:?}");
+    }
+
     fn drawn(frame: u32, hash: u64) -> Drawn {
         Drawn { scene: "S1".into(), frame, instructions: 1000, hash, bytes: 8 }
     }

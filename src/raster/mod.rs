@@ -31,7 +31,7 @@ pub use coverage::{Scanline, Span, SpanBatch, SpanWalk, Traversal};
 pub(crate) use edge::Edge;
 pub use gradients::Gradients;
 pub(crate) use gradients::Slopes;
-pub(crate) use line::{plane_triangle, Line};
+pub(crate) use line::{depth_along, plane_triangle, Line};
 pub(crate) use long_edge::LongEdge;
 pub(crate) use midpoint::MidpointPath;
 pub(crate) use path::{limited, Path, Pixel, Steps};

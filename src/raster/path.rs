@@ -30,10 +30,17 @@ pub(crate) trait Path {
     fn good_until(&self, at: i32) -> i32;
 }
 
-/// A walk along a [`Path`].
+/// A walk along a [`Path`]: a number that grows by as much with each step, and by one more when the
+/// step carries.
 pub(crate) trait Steps {
-    /// Goes to the next column; whether the row changes by one more than the least.
-    fn carries(&mut self) -> bool;
+    /// The number at first, and what every step adds.
+    fn begin(&mut self, number: u32, least: u32);
+
+    /// The number.
+    fn number(&self) -> u32;
+
+    /// Goes to the next column (or row).
+    fn step(&mut self);
 }
 
 /// The part of a path's columns in `from..to` whose rows lie in `low..high`.

@@ -1,11 +1,11 @@
 //! Lines pixel by pixel.
 
-use super::super::fill::{depth_plane, lone_depth_plane, Access};
+use super::super::fill::Access;
 use crate::color::Format;
 use crate::frame::{DepthAccess, Frame, Rect, Supplies};
 use crate::raster::{
-    limited, plane_triangle, Gradients, Line, MidpointPath, Path, Pixel, Plane, PointSquare,
-    ScreenVertex, Span, Steps,
+    depth_along, limited, plane_triangle, Gradients, Line, MidpointPath, Path, Pixel, Plane,
+    PointSquare, ScreenVertex, Span, Steps,
 };
 use crate::shade::{Corner, Event, Fragments, Row, State, Varying};
 
@@ -119,6 +119,14 @@ fn exact(ends: &[ScreenVertex; 2], width: i32) -> Option<Line> {
     Line::between(moved(a), moved(b))
 }
 
+/// Whether a line one pixel wide is sure to lie in rows (or columns) `low..high`, and the pixels
+/// beside it too.
+#[inline(always)]
+fn lies_within([a, b]: &[ScreenVertex; 2], by_columns: bool, low: i32, high: i32) -> bool {
+    let (p, q) = if by_columns { (a.y_bits(), b.y_bits()) } else { (a.x_bits(), b.x_bits()) };
+    p.min(q) >> 4 > low && (p.max(q) >> 4).wrapping_add(1) < high
+}
+
 /// A line on its way into the frame.
 struct Stroke<'a, V: Varying, R, P> {
     line: &'a LineDraw<'a, V>,
@@ -132,6 +140,7 @@ struct Stroke<'a, V: Varying, R, P> {
 /// Pixels of one column (or row) each, to be drawn in one go.
 struct Pixels<V: Varying, T> {
     first: Pixel,
+    last: Pixel,
     count: u32,
     by_columns: bool,
     steps: T,
@@ -178,6 +187,7 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
                     let (steps, least_step) = (self.path.steps(from), (0, 0));
                     Pixels {
                         first,
+                        last: first,
                         count: 1,
                         by_columns,
                         steps,
@@ -196,19 +206,27 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         } else {
             (area.left, area.right, area.top, area.bottom)
         };
-        let lowest = low.wrapping_sub(self.width).wrapping_add(1);
-        let (start, end) = limited(&self.path, from.max(left), to.min(right), lowest, high);
+        let (start, end) = (from.max(left), to.min(right));
+        let (start, end) = if self.width == 1 && lies_within(&ends, by_columns, low, high) {
+            (start, end)
+        } else {
+            let lowest = low.wrapping_sub(self.width).wrapping_add(1);
+            limited(&self.path, start, end, lowest, high)
+        };
         if start >= end {
             let event = if is_drawn { Event::Drawn } else { Event::Outside };
             return Outcome { event, pixels };
         }
         // What neither depth nor varyings ask for is not computed.
-        let triangle = plane_triangle(&ends, by_columns);
-        let gradients = if V::INTERPOLATED { Gradients::new(&triangle) } else { Gradients::NONE };
-        let z_plane = match (<Access<S>>::TOUCHES, V::INTERPOLATED) {
-            (true, true) => depth_plane(&gradients, &triangle),
-            (true, false) => lone_depth_plane(&triangle),
-            (false, _) => Plane::default(),
+        let gradients = if V::INTERPOLATED {
+            Gradients::new(&plane_triangle(&ends, by_columns))
+        } else {
+            Gradients::NONE
+        };
+        let z_plane = if <Access<S>>::TOUCHES {
+            depth_along(&ends, by_columns)
+        } else {
+            Plane::default()
         };
         let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
         let [p, q] = *corners;
@@ -244,14 +262,20 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
                 let mut runs = V::runs(&planes, &span);
                 let (varying, step, good) = V::run(&planes, &mut runs, &span, at);
                 stop = stop.min(good);
-                let minor = self.path.minor(at).wrapping_add(copy);
-                let first =
-                    if by_columns { Pixel { x: at, y: minor } } else { Pixel { x: minor, y: at } };
+                let pixel = |at: i32| {
+                    let minor = self.path.minor(at).wrapping_add(copy);
+                    if by_columns {
+                        Pixel { x: at, y: minor }
+                    } else {
+                        Pixel { x: minor, y: at }
+                    }
+                };
                 let behind = if forwards { at.wrapping_sub(from) } else { to.wrapping_sub(at) };
                 let number = behind.wrapping_sub(i32::from(!forwards)).wrapping_add(headed);
                 let pattern = self.pattern.started(before.wrapping_add(number.cast_unsigned()));
                 Pixels {
-                    first,
+                    first: pixel(at),
+                    last: pixel(stop.wrapping_sub(1)),
                     count: stop.wrapping_sub(at).cast_unsigned(),
                     by_columns,
                     steps: self.path.steps(at),
@@ -274,6 +298,34 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
     #[inline(never)]
     fn draw<H, S, F, D, P>(
         &self,
+        pattern: P,
+        forwards: bool,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        shader: &H,
+    ) where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+        P: Pattern,
+    {
+        let (stride, _) = frame.strides::<Access<S>>();
+        let (least, sign) = self.least_step;
+        // Whether each pixel lies behind the one before in the frame: not where rows are gone back.
+        let ordered = !self.by_columns || (least >= 0 && sign >= 0);
+        if ordered && stride > 1 && u32::try_from(frame.pixels()).is_ok() {
+            self.walk::<true, H, S, F, D, P>(pattern, forwards, frame, state, shader);
+        } else {
+            self.walk::<false, H, S, F, D, P>(pattern, forwards, frame, state, shader);
+        }
+    }
+
+    /// The pixel loop: of pixels in the frame's order it ends where the frame's part that holds
+    /// them ends, without a count.
+    #[inline(always)]
+    fn walk<const ORDERED: bool, H, S, F, D, P>(
+        &self,
         mut pattern: P,
         forwards: bool,
         frame: &mut Frame<'_, F, D>,
@@ -286,20 +338,41 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
         D: Supplies<Access<S>>,
         P: Pattern,
     {
-        let Self { first, by_columns, mut steps, mut z, z_step, mut varying, step, .. } = *self;
+        let Self { first, last, by_columns, mut steps, mut z, z_step, mut varying, step, .. } =
+            *self;
         let (depth, output, counter) = state.parts();
         let (stride, _) = frame.strides::<Access<S>>();
         let (least, sign) = self.least_step;
         let Pixel { mut x, mut y } = first;
+        let Some((pixels, mut cells, start)) = frame.all_from::<Access<S>>(x, y) else { return };
+        let (columns, rows) = (last.x.wrapping_sub(x), last.y.wrapping_sub(y));
+        let behind = start
+            .wrapping_add(columns as usize)
+            .wrapping_add(stride.wrapping_mul(rows as usize))
+            .wrapping_add(1);
+        let length = if ORDERED { behind } else { pixels.len() };
+        let Some(pixels) = pixels.get_mut(..length) else { return };
+        let Some(mut cells) = <Access<S>>::part(&mut cells, 0, length) else { return };
         let (along, across) = if by_columns { (1, stride) } else { (stride, 1) };
-        // Wrapping: steps may lead back.
-        let plain = along.wrapping_add(across.wrapping_mul(least as usize));
-        let carried = plain.wrapping_add(across.wrapping_mul(sign as usize));
-        let Some((pixels, mut cells, mut at)) = frame.all_from::<Access<S>>(x, y) else { return };
-        for _ in 0..self.count {
+        let across = across.wrapping_mul(sign as usize);
+        let least_across = least.wrapping_mul(sign).cast_unsigned();
+        // Of rows in order the steps count the place itself, else how far across it is.
+        let by_place = ORDERED && !by_columns;
+        if by_place {
+            steps.begin(start as u32, (stride as u32).wrapping_add(least_across));
+        } else {
+            steps.begin(0, least_across);
+        }
+        let (mut at, mut count) = (start, self.count);
+        while ORDERED || count != 0 {
+            let place = if by_place {
+                steps.number() as usize
+            } else {
+                at.wrapping_add(across.wrapping_mul(steps.number().cast_signed() as usize))
+            };
+            let Some(pixel) = pixels.get_mut(place) else { return };
             if pattern.is_on() {
-                let Some(pixel) = pixels.get_mut(at) else { return };
-                let Some(cells) = <Access<S>>::one(&mut cells, at) else { return };
+                let Some(cells) = <Access<S>>::one(&mut cells, place) else { return };
                 shader.span(Row::<S, F, V> {
                     x,
                     y,
@@ -317,16 +390,11 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
             pattern.step(forwards);
             z = z.wrapping_add(z_step);
             varying.step(&step);
-            let carries = steps.carries();
-            let minor = least.wrapping_add(if carries { sign } else { 0 });
-            if by_columns {
-                at = at.wrapping_add(if carries { carried } else { plain });
-                (x, y) = (x.wrapping_add(1), y.wrapping_add(minor));
-            } else {
-                // Rows are counted downwards, so that a step carries by one: an addition with carry.
-                at = at.wrapping_add(plain).wrapping_add(carries.into());
-                (x, y) = (x.wrapping_add(minor), y.wrapping_add(1));
-            }
+            let number = steps.number();
+            steps.step();
+            if S::PLACED... 
+            at = at.wrapping_add(along);
+            count = count.wrapping_sub(1);
         }
     }
 }

@@ -1,5 +1,4 @@
-use super::{Edge, LongEdge, Path, Pixel, Plane, Point, ScreenVertex, Steps, Triangle};
-use crate::math::{mul_high_signed, reciprocal};
+use super::{Divisor, Edge, LongEdge, Path, Pixel, Plane, Point, ScreenVertex, Steps, Triangle};
 
 /// A line one pixel wide, from a first corner to a last one, by the diamond-exit rule.
 ///
@@ -105,8 +104,13 @@ impl Line {
         let mirrored = by_columns && rise && a.y_bits() != b.y_bits();
         let (a, b) = (upright(&a, mirrored), upright(&b, mirrored));
         let (a, b) = if a.y < b.y { (a, b) } else { (b, a) };
-        let edge = if from < to { LongEdge::new(a, b, from) } else { LongEdge::default() };
-        LinePath { edge, from, to, by_columns, mirrored }
+        let divisor = Divisor::new(b.y.wrapping_sub(a.y).cast_unsigned());
+        let edge = if from < to {
+            LongEdge::with_divisor(a, b, from, &divisor)
+        } else {
+            LongEdge::default()
+        };
+        LinePath { edge, divisor, from, to, by_columns, mirrored }
     }
 }
 
@@ -133,32 +137,35 @@ pub(crate) fn plane_triangle([a, b]: &[ScreenVertex; 2], by_columns: bool) -> Tr
 /// that cutting off rounds. Columns are where the line is counted, rows are all the same.
 ///
 /// # Rounding
-/// Off by less than 1/8 of a code between the corners, for lines in the square of
-/// [`GUARD`](super::GUARD); of a line so short that a step overflows, modulo 2^32.
+/// A step is off by half of 2^-16 of a code, so that depth is off by less than 1/8 of a code over any
+/// line in the square of [`GUARD`](super::GUARD); of a line so short that a step overflows, modulo
+/// 2^32.
 #[inline(never)]
-pub(crate) fn depth_along([a, b]: &[ScreenVertex; 2], by_columns: bool) -> Plane {
-    let along = |v: &ScreenVertex| if by_columns { v.x_bits() } else { v.y_bits() };
+pub(crate) fn depth_along<P: Path>([a, b]: &[ScreenVertex; 2], path: &P) -> Plane {
+    if a.z == b.z {
+        return Plane { origin: u32::from(a.z) << 16 | 0x8000, dx: 0, dy: 0 };
+    }
+    let along = |v: &ScreenVertex| if path.by_columns() { v.x_bits() } else { v.y_bits() };
     let start = along(a);
     let side = along(b).wrapping_sub(start);
     let more = i32::from(b.z).wrapping_sub(a.z.into());
     let more = if side < 0 { more.wrapping_neg() } else { more };
-    // more 2^20 / side = (more 2^15 mantissa / 2^32) 2^(37 - shift): to the left by 6, where a line
-    // is a subpixel long, to the right by 11, where it is the longest.
-    let by = reciprocal(side.unsigned_abs());
-    let slope = |more: i32| {
-        let product = mul_high_signed(more, by.mantissa);
-        let down = by.shift.wrapping_sub(37);
-        if down.cast_signed() <= 0 {
-            product.wrapping_shl(down.wrapping_neg())
+    let divisor = path.divisor(side.unsigned_abs());
+    // 2^7 times a number below 2^29 in magnitude, divided and rounded.
+    let divided = |number: i32| {
+        let (whole, rest) = divisor.divide(number.unsigned_abs());
+        let (part, _) = divisor.divide((rest << 7).wrapping_add(divisor.number() >> 1));
+        let quotient = whole.wrapping_shl(7).wrapping_add(part);
+        if number < 0 {
+            quotient.wrapping_neg()
         } else {
-            product.wrapping_add(1_i32.wrapping_shl(down.wrapping_sub(1))).wrapping_shr(down)
+            quotient
         }
     };
     let to_center = 8_i32.wrapping_sub(start & 15);
-    let dx = slope(more.wrapping_shl(15)).cast_unsigned();
-    let center = slope(more.wrapping_mul(to_center).wrapping_shl(11)).cast_unsigned();
+    let dx = divided(more.wrapping_shl(13));
     let origin = (u32::from(a.z) << 16 | 0x8000)
-        .wrapping_add(center)
+        .wrapping_add(divided(more.wrapping_mul(to_center).wrapping_shl(9)))
         .wrapping_sub(dx.wrapping_mul((start >> 4).cast_unsigned()));
     Plane { origin, dx, dy: 0 }
 }
@@ -171,6 +178,8 @@ pub(super) const STRIDE: i32 = 256;
 pub(crate) struct LinePath {
     /// At `from`.
     edge: LongEdge,
+    /// Divides by the longer side.
+    divisor: Divisor,
     from: i32,
     to: i32,
     by_columns: bool,
@@ -218,6 +227,11 @@ impl Path for LinePath {
     }
 
     #[inline(always)]
+    fn divisor(&self, _side: u32) -> Divisor {
+        self.divisor
+    }
+
+    #[inline(always)]
     fn good_until(&self, at: i32) -> i32 {
         at.wrapping_add(STRIDE)
     }
@@ -248,12 +262,21 @@ impl Steps for LineSteps {
     fn step(&mut self) {
         self.number = self.number.wrapping_add(self.step);
     }
+
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the fraction")]
+    fn carries(&mut self) -> bool {
+        let (fraction, carries) = (self.number as u32).overflowing_add(self.step as u32);
+        self.number = fraction.into();
+        carries
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::math::hard_numbers::Random;
+    use crate::raster::MidpointPath;
 
     #[test]
     fn depth_along_lines_is_that_of_equal_steps() {
@@ -262,7 +285,11 @@ mod tests {
         let mut check = |from: i32, to: i32, z: [u16; 2]| {
             let ends =
                 [ScreenVertex::from_bits(from, 0, z[0]), ScreenVertex::from_bits(to, 1, z[1])];
-            let plane = depth_along(&ends, true);
+            let Some(path) = MidpointPath::between(&ends[0], &ends[1]) else { return };
+            if !path.by_columns() {
+                return;
+            }
+            let plane = depth_along(&ends, &path);
             let (low, high) = (not_before(from.min(to)), not_before(from.max(to)));
             for x in [low, low + 1, (low + high) / 2, high - 2, high - 1] {
                 if x < low || x >= high {

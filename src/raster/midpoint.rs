@@ -129,11 +129,17 @@ impl Steps for MidpointSteps {
 
     #[inline(always)]
     fn step(&mut self) {
+        let carries = self.carries();
+        self.number = self.number.wrapping_add(self.least).wrapping_add(carries.into());
+    }
+
+    #[inline(always)]
+    fn carries(&mut self) -> bool {
         self.error = self.error.wrapping_add(self.up);
-        self.number = self.number.wrapping_add(self.least);
-        if self.error >= 0 {
+        let carries = self.error >= 0;
+        if carries {
             self.error = self.error.wrapping_sub(self.twice);
-            self.number = self.number.wrapping_add(1);
         }
+        carries
     }
 }

@@ -32,7 +32,7 @@ pub(crate) use edge::Edge;
 pub use gradients::Gradients;
 pub(crate) use gradients::Slopes;
 pub(crate) use line::{depth_along, plane_triangle, Line};
-pub(crate) use long_edge::LongEdge;
+pub(crate) use long_edge::{Divisor, LongEdge};
 pub(crate) use midpoint::MidpointPath;
 pub(crate) use path::{limited, Path, Pixel, Steps};
 pub use plane::Plane;

@@ -1,3 +1,5 @@
+use super::Divisor;
+
 /// A pixel, in picture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Pixel {
@@ -26,6 +28,12 @@ pub(crate) trait Path {
     /// carries.
     fn least_step(&self) -> (i32, i32);
 
+    /// What divides by the longer side, in subpixels.
+    #[inline(always)]
+    fn divisor(&self, side: u32) -> Divisor {
+        Divisor::new(side)
+    }
+
     /// How far a walk that begins at `at` is exact: the column (or row) behind.
     fn good_until(&self, at: i32) -> i32;
 }
@@ -41,6 +49,9 @@ pub(crate) trait Steps {
 
     /// Goes to the next column (or row).
     fn step(&mut self);
+
+    /// The same, for a walk that does not ask for the number: whether the step carries.
+    fn carries(&mut self) -> bool;
 }
 
 /// The part of a path's columns in `from..to` whose rows lie in `low..high`.

@@ -93,11 +93,11 @@ pub trait Replicated: Copy {
         if Self::EXACT {
             let Some(found) = exact(&line.ends, width) else { return none };
             let (path, head) = (found.path(), found.head());
-            Stroke { line, path, head, width, pattern }.draw(frame, state, shader)
+            Stroke { line, path, head, style: *self, pattern }.draw(frame, state, shader)
         } else {
             let [a, b] = &line.ends;
             let Some(path) = MidpointPath::between(a, b) else { return none };
-            Stroke { line, path, head: None, width, pattern }.draw(frame, state, shader)
+            Stroke { line, path, head: None, style: *self, pattern }.draw(frame, state, shader)
         }
     }
 }
@@ -128,12 +128,12 @@ fn lies_within([a, b]: &[ScreenVertex; 2], by_columns: bool, low: i32, high: i32
 }
 
 /// A line on its way into the frame.
-struct Stroke<'a, V: Varying, R, P> {
+struct Stroke<'a, V: Varying, R, L, P> {
     line: &'a LineDraw<'a, V>,
     path: R,
     /// The pixel about the first corner that has the corner's attributes.
     head: Option<Pixel>,
-    width: i32,
+    style: L,
     pattern: P,
 }
 
@@ -151,7 +151,7 @@ struct Pixels<V: Varying, T> {
     step: V::Step,
 }
 
-impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
+impl<V: Varying, R: Path, L: Replicated, P: Pattern> Stroke<'_, V, R, L, P> {
     /// Draws it.
     ///
     /// One copy of this, with the pixel loop, is what a shader, a state and a style cost in flash.
@@ -164,6 +164,7 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         D: Supplies<Access<S>>,
     {
         let LineDraw { ends, corners, provoking, area, before } = *self.line;
+        let width = self.style.width();
         let by_columns = self.path.by_columns();
         let (from, to) = self.path.ends();
         let along = to.wrapping_sub(from).max(0).cast_unsigned();
@@ -179,7 +180,7 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
             let (varying, step) = V::on_point(&corners[0], &PointSquare::NONE, head.x, head.y);
             let z = u32::from(ends[0].z) << 16 | 0x8000;
             let pattern = self.pattern.started(before);
-            for copy in 0..self.width {
+            for copy in 0..width {
                 let (x, y) = if by_columns { (0, copy) } else { (copy, 0) };
                 let first = Pixel { x: head.x.wrapping_add(x), y: head.y.wrapping_add(y) };
                 if area.contains(first.x, first.y) {
@@ -207,10 +208,10 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
             (area.left, area.right, area.top, area.bottom)
         };
         let (start, end) = (from.max(left), to.min(right));
-        let (start, end) = if self.width == 1 && lies_within(&ends, by_columns, low, high) {
+        let (start, end) = if width == 1 && lies_within(&ends, by_columns, low, high) {
             (start, end)
         } else {
-            let lowest = low.wrapping_sub(self.width).wrapping_add(1);
+            let lowest = low.wrapping_sub(width).wrapping_add(1);
             limited(&self.path, start, end, lowest, high)
         };
         if start >= end {
@@ -223,11 +224,8 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         } else {
             Gradients::NONE
         };
-        let z_plane = if <Access<S>>::TOUCHES {
-            depth_along(&ends, by_columns)
-        } else {
-            Plane::default()
-        };
+        let z_plane =
+            if <Access<S>>::TOUCHES { depth_along(&ends, &self.path) } else { Plane::default() };
         let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
         let [p, q] = *corners;
         let mut planes = V::planes(&gradients, &[p, q, p], provoking, in_pieces);
@@ -242,8 +240,8 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
                 at.wrapping_add(1)
             }
         };
-        for copy in 0..self.width {
-            let (mut at, end) = if self.width == 1 {
+        for copy in 0..width {
+            let (mut at, end) = if width == 1 {
                 (start, end)
             } else {
                 let (low, high) = (low.wrapping_sub(copy), high.wrapping_sub(copy));
@@ -294,8 +292,8 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
 }
 
 impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
-    /// Draws them. Apart, so that the registers are the pixel loop's.
-    #[inline(never)]
+    /// Draws them.
+    #[inline(always)]
     fn draw<H, S, F, D, P>(
         &self,
         pattern: P,
@@ -311,20 +309,22 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
         P: Pattern,
     {
         let (stride, _) = frame.strides::<Access<S>>();
-        let (least, sign) = self.least_step;
-        // Whether each pixel lies behind the one before in the frame: not where rows are gone back.
-        let ordered = !self.by_columns || (least >= 0 && sign >= 0);
-        if ordered && stride > 1 && u32::try_from(frame.pixels()).is_ok() {
-            self.walk::<true, H, S, F, D, P>(pattern, forwards, frame, state, shader);
+        let (least, _) = self.least_step;
+        // A step back across does not lead to the same place; places are below 2^13 x 2^16.
+        if stride < 2 || stride >= 1 << 16 || least < 0 && self.by_columns {
+            self.walk::<false, false, H, S, F, D, P>(pattern, forwards, frame, state, shader);
+        } else if self.by_columns {
+            self.walk::<true, false, H, S, F, D, P>(pattern, forwards, frame, state, shader);
         } else {
-            self.walk::<false, H, S, F, D, P>(pattern, forwards, frame, state, shader);
+            self.walk::<true, true, H, S, F, D, P>(pattern, forwards, frame, state, shader);
         }
     }
 
-    /// The pixel loop: of pixels in the frame's order it ends where the frame's part that holds
-    /// them ends, without a count.
-    #[inline(always)]
-    fn walk<const ORDERED: bool, H, S, F, D, P>(
+    /// The pixel loop. Apart, so that the registers are its own. `ORDERED` says that each pixel lies
+    /// behind the one before in the frame: then the loop ends where the frame's part that holds them
+    /// ends, without a count. `ROWS` says that there is one pixel a row.
+    #[inline(never)]
+    fn walk<const ORDERED: bool, const ROWS: bool, H, S, F, D, P>(
         &self,
         mut pattern: P,
         forwards: bool,
@@ -356,20 +356,16 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
         let (along, across) = if by_columns { (1, stride) } else { (stride, 1) };
         let across = across.wrapping_mul(sign as usize);
         let least_across = least.wrapping_mul(sign).cast_unsigned();
-        // Of rows in order the steps count the place itself, else how far across it is.
-        let by_place = ORDERED && !by_columns;
-        if by_place {
-            steps.begin(start as u32, (stride as u32).wrapping_add(least_across));
-        } else {
-            steps.begin(0, least_across);
+        let by_columns = !ROWS && by_columns;
+        let by_columns = !ROWS && by_columns;
+        let plain = along.wrapping_add(across.wrapping_mul(least_across.cast_signed() as usize));
+        // Of rows in order the steps count the place itself.
+        if ROWS {
+            steps.begin(start as u32, plain as u32);
         }
         let (mut at, mut count) = (start, self.count);
-        while ORDERED || count != 0 {
-            let place = if by_place {
-                steps.number() as usize
-            } else {
-                at.wrapping_add(across.wrapping_mul(steps.number().cast_signed() as usize))
-            };
+        loop {
+            let place = if ROWS { steps.number() as usize } else { at };
             let Some(pixel) = pixels.get_mut(place) else { return };
             if pattern.is_on() {
                 let Some(cells) = <Access<S>>::one(&mut cells, place) else { return };
@@ -390,11 +386,30 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
             pattern.step(forwards);
             z = z.wrapping_add(z_step);
             varying.step(&step);
-            let number = steps.number();
-            steps.step();
-            if S::PLACED... 
-            at = at.wrapping_add(along);
-            count = count.wrapping_sub(1);
+            let further = if ROWS {
+                let before = steps.number();
+                steps.step();
+                steps.number().wrapping_sub(before).wrapping_sub(stride as u32)
+            } else {
+                let carries = steps.carries();
+                at = at.wrapping_add(plain);
+                if carries {
+                    at = at.wrapping_add(across);
+                }
+                least_across.wrapping_add(carries.into())
+            };
+            let further = further.cast_signed().wrapping_mul(sign);
+            if by_columns {
+                (x, y) = (x.wrapping_add(1), y.wrapping_add(further));
+            } else {
+                (x, y) = (x.wrapping_add(further), y.wrapping_add(1));
+            }
+            if !ORDERED {
+                count = count.wrapping_sub(1);
+                if count == 0 {
+                    return;
+                }
+            }
         }
     }
 }

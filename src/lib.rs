@@ -46,7 +46,7 @@ pub mod host;
 pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 #[cfg(feature = "embedded-graphics")]
 pub use eg::DrawFormat;
-pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, MAX_SIDE};
+pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, StencilBuffer, MAX_SIDE};
 pub use pipeline::{
     Attenuated, Clip, Cull, LineStyle, Midpoint, Pass, PointSize, Rectangle, ScreenPass,
     ShadedVertex, SizeOf, Smooth, Stippled, Supersampling, Thin, VertexCache, Wide, Winding,
@@ -57,16 +57,18 @@ pub use scene::{
     PointLight, Points, RestartIndices, SpotLight, Topology, TriangleFan, TriangleStrip,
 };
 pub use shade::{
-    Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState,
-    AnyDither, AnyMask, AtFragments, AtVertices, Average, Blend, BlinnPhong, Channels, ColorMask,
-    ColorOutput, Coloring, Constant, ConstantAlpha, ConstantDepth, Corner, Counter, Counting,
-    DepthRange, DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat,
-    FlatColor, Fog, Fogged, Gouraud, Greater, GreaterEqual, Interpolated, Lambert, Less, LessEqual,
-    LightKind, Lighting, Matcap, Multiply, NotEqual, Off, Output, Perspective, PerspectiveCorner,
-    PerspectiveMode, PerspectiveVarying, Phong, PointCoordinates, PolygonOffset, Premultiplied,
-    ReadOnly, Replace, Row, Scalar, Scalars, Shader, SmoothColor, Solid, State, States, Stats,
-    Stepped, Subtract, Surface, Textured, Tinted, Uncounted, Undithered, Unlit, Uv, UvStep,
-    Varying, VertexColors, VertexInput,
+    Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyCompare, AnyDepth,
+    AnyDepthState, AnyDither, AnyMask, AnyOperation, AnyStencil, AtFragments, AtVertices, Average,
+    Blend, BlinnPhong, Channels, ColorMask, ColorOutput, Coloring, Constant, ConstantAlpha,
+    ConstantDepth, Corner, Counter, Counting, Cutout, DecrementClamp, DecrementWrap, DepthRange,
+    DepthTest, Dither, Dither4, Dither8, DrawContext, Equal, Every, Exact, Flat, FlatColor, Fog,
+    Fogged, Gouraud, Greater, GreaterEqual, IncrementClamp, IncrementWrap, Interpolated, Invert,
+    Keep, Lambert, Less, LessEqual, LightKind, Lighting, Matcap, Multiply, Never, NotEqual, Off,
+    Output, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying, Phong,
+    PointCoordinates, PolygonOffset, Premultiplied, ReadOnly, Replace, Row, Scalar, Scalars,
+    Shader, SmoothColor, Solid, Sprite, State, States, Stats, Stencil, StencilCompare,
+    StencilOperation, Stenciled, Stepped, Subtract, Surface, Textured, Tinted, Uncounted,
+    Undithered, Unlit, Uv, UvStep, Varying, VertexColors, VertexInput, Zero,
 };
 
 /// The README's example runs with the tests.

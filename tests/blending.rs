@@ -15,7 +15,7 @@ use microraster::{
     Add, AllChannels, Alpha, AnyBlend, AnyDither, AnyMask, Average, Blend, Channels, Color,
     ColorMask, ConstantAlpha, Corner, Dither, Dither4, Dither8, DrawContext, FlatColor, Format,
     Frame, Gouraud, Less, Multiply, Off, Premultiplied, Rect, Replace, Rgb, Rgb565, Rgb565Be,
-    Rgba8888, Row, ScreenPass, Shader, Size, State, Subtract, Undithered, VertexInput,
+    Rgba8888, Row, ScreenPass, Shader, Size, State, Subtract, Thin, Undithered, VertexInput, Wide,
 };
 use support::Random;
 
@@ -528,6 +528,53 @@ fn interpolated_colours_are_dithered_within_a_step() {
         for (got, steps) in Rgb565::steps(*raw).into_iter().zip(Rgb565::STEPS) {
             // A quarter of an 8-bit step for the planes.
             assert!((got - t * steps).abs() < 1.0 + 0.25 * steps / 255.0, "{got} at {i}, {t}");
+        }
+    }
+}
+
+#[test]
+fn lines_and_points_are_dithered_as_triangles_are() {
+    let mut random = Random(16);
+    for i in 0..400 {
+        let color = match i {
+            0 => Color::new(255, 255, 255),
+            1 => Color::new(0, 0, 0),
+            _ => any_color(&mut random).with_alpha(255),
+        };
+        // Of one colour, so that each pixel says which.
+        let corner = |random: &mut Random| (support::any_corner(random, 0, SIZE), color);
+        let ends = [corner(&mut random), corner(&mut random)];
+        for kind in 0..4 {
+            let drawn = |dither: AnyDither| {
+                picture::<Rgb565>(|frame| {
+                    frame.clear_color(Rgb::new(8, 8, 8));
+                    let mut pass = ScreenPass::new().dither(dither);
+                    let shader = Gouraud::colored();
+                    match kind {
+                        0 => pass.lines(frame, &shader, Thin, &[ends]),
+                        1 => pass.lines(frame, &shader, Wide(3), &[ends]),
+                        2 => pass.points(frame, &shader, 1, &ends),
+                        _ => pass.points(frame, &shader, 5, &ends),
+                    }
+                })
+            };
+            let background = Rgb565::pack(Color::new(8, 8, 8));
+            let plain = drawn(AnyDither::Undithered);
+            for dither in [AnyDither::Four, AnyDither::Eight] {
+                let width = usize::from(SIZE.width);
+                for (i, (got, plain)) in drawn(dither).iter().zip(&plain).enumerate() {
+                    let thresholds = dither.thresholds((i % width) as i32, (i / width) as i32);
+                    let first = AnyDither::first(&thresholds).expect("dithered");
+                    let dimmed = Rgb565::dim(color);
+                    // On a plane, red may have lent one of blue's 65536ths.
+                    let lent = dimmed.blue_red.wrapping_sub(1 << 16);
+                    let lent = Rgb565::pack_dimmed(Color { blue_red: lent, ..dimmed }, first);
+                    let expected = Rgb565::pack_dimmed(dimmed, first);
+                    let is_right = *got == expected || (*got == lent && kind < 2);
+                    let is_drawn = *got != background || *plain != background;
+                    assert!(!is_drawn || is_right, "kind {kind}, {color:?} at {i}");
+                }
+            }
         }
     }
 }

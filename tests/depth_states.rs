@@ -13,7 +13,8 @@ use fixed::types::I8F8;
 use microraster::raster::ScreenVertex;
 use microraster::{
     Always, AnyDepth, AnyDepthState, Color, ConstantDepth, DepthRange, DepthTest, Equal, Flat,
-    Frame, Gouraud, Less, LessEqual, PolygonOffset, ReadOnly, Rgb, Rgb565, ScreenPass, Size,
+    Frame, Gouraud, Less, LessEqual, Midpoint, PolygonOffset, ReadOnly, Rectangle, Rgb, Rgb565,
+    ScreenPass, Size, Smooth, Thin, Wide,
 };
 use support::{any_corner, Random};
 
@@ -222,4 +223,74 @@ fn runtime_depth_states_give_the_same_bits() {
         };
         assert_eq!(drawn(any, flat, &triangles, 0), drawn(all, flat, &triangles, 0), "all");
     }
+}
+
+/// What lines and points of all kinds leave, each kind in a frame of its own.
+fn strokes<D: DepthTest + Copy>(depth: D, corners: &[(ScreenVertex, Color)]) -> Vec<Vec<u16>>
+where
+    for<'a> microraster::DepthBuffer<'a>: microraster::frame::Supplies<D::Access>,
+{
+    let lines: Vec<_> = corners.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect();
+    let (smooth, flat) = (Gouraud::colored(), Flat::colored());
+    (0..8)
+        .map(|kind| {
+            let (mut pixels, mut codes) = (vec![0; PIXELS], vec![0; PIXELS]);
+            let frame = Frame::<Rgb565>::new(&mut pixels, SIZE).expect("sizes fit");
+            let mut frame = frame.with_depth(&mut codes).expect("sizes fit");
+            let mut pass = ScreenPass::new().depth(depth);
+            match kind {
+                0 => pass.lines(&mut frame, &smooth, Thin, &lines),
+                1 => pass.lines(&mut frame, &flat, Thin, &lines),
+                2 => pass.lines(&mut frame, &flat, Midpoint, &lines),
+                3 => pass.lines(&mut frame, &smooth, Wide(3), &lines),
+                4 => pass.lines(&mut frame, &smooth, Rectangle(3), &lines),
+                5 => pass.lines(&mut frame, &smooth, Smooth(2), &lines),
+                6 => pass.points(&mut frame, &flat, 1, corners),
+                _ => pass.points(&mut frame, &smooth, 3, corners),
+            }
+            codes
+        })
+        .collect()
+}
+
+#[test]
+fn ranges_are_for_lines_and_points_and_offsets_are_not() {
+    for triangle in triangles(8) {
+        let [a, b, c] = triangle;
+        let corners = [a, b, c, a];
+        let plain = strokes(Always, &corners);
+        let moved = PolygonOffset::new(Always, I8F8::from_num(2), 900);
+        assert_eq!(strokes(moved, &corners), plain, "lines and points are not moved");
+        let range = DepthRange::new(Always, 50_000, 1000);
+        let mapped = corners.map(|(at, color)| (ScreenVertex { z: range.map(at.z), ..at }, color));
+        assert_eq!(strokes(range, &corners), strokes(Always, &mapped), "in a range");
+        let any = AnyDepthState {
+            offset: (I8F8::from_num(2), 900),
+            range: (50_000, 1000),
+            ..AnyDepthState::new(AnyDepth::Always)
+        };
+        assert_eq!(strokes(any, &corners), strokes(Always, &mapped), "chosen at run time");
+    }
+}
+
+#[test]
+fn constant_depth_is_the_mean_of_a_lines_ends() {
+    let mut seen = 0;
+    for [a, b, _] in triangles(9) {
+        let mean = (u32::from(a.0.z) + u32::from(b.0.z)) / 2;
+        let plain = strokes(Always, &[a, b]);
+        let constant = strokes(ConstantDepth::new(Always), &[a, b]);
+        // Lines as such; rectangles have the mean of their triangles' corners, and points their own.
+        for (plain, constant) in plain.iter().zip(&constant).take(4) {
+            let allowed = |code: &u16| *code == 0 || u32::from(*code) == mean;
+            assert!(constant.iter().all(allowed), "{mean}: {a:?} to {b:?}");
+            assert!(
+                plain.iter().zip(constant).all(|(a, b)| *a == 0 || *b != 0 || mean == 0),
+                "same"
+            );
+            seen += constant.iter().filter(|code| **code != 0).count();
+        }
+        assert_eq!(plain[6..], constant[6..], "points");
+    }
+    assert!(seen > 1000, "lines are drawn");
 }

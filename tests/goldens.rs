@@ -20,10 +20,10 @@ mod scenes;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use microraster::{Color, Format, Rgb565, Rgb565Be, Rgba8888};
+use microraster::{AnyBlend, Color, Format, Rgb565, Rgb565Be, Rgba8888, Supersampling};
 use reference::Canvas;
 use scenes::golden::render::{render, Written};
-use scenes::golden::{pictures, Picture, PixelFormat};
+use scenes::golden::{pictures, Draw, Picture, PixelFormat};
 
 type Rgb = [u8; 3];
 
@@ -70,12 +70,65 @@ struct Agreement {
 /// vertex stage with an error of at most as much. So a pixel shows what lies within 1/16 pixel of
 /// its centre. Looked at in 25 places: triangles may be thin.
 fn looks(number: usize) -> &'static [Canvas] {
-    static LOOKS: [OnceLock<Vec<Canvas>>; 32] = [const { OnceLock::new() }; 32];
+    static LOOKS: [OnceLock<Vec<Canvas>>; 64] = [const { OnceLock::new() }; 64];
     let steps = [0.0, -2.0, -1.0, 1.0, 2.0].map(|step| step / 32.0);
     LOOKS[number].get_or_init(|| {
         let picture = &pictures()[number];
-        steps.iter().flat_map(|y| steps.map(|x| Canvas::of(picture, [x, *y]))).collect()
+        let factor = f64::from(picture.samples.map_or(1, Supersampling::factor));
+        // The samples of a pixel, each a picture of its own.
+        let centers = (0..factor as u32).map(|i| (f64::from(i) + 0.5) / factor - 0.5);
+        let samples = centers.clone().flat_map(|y| centers.clone().map(move |x| [x, y]));
+        let samples: Vec<Vec<Canvas>> = samples
+            .map(|[x, y]| {
+                let look = |dx: f64, dy: f64| [x + dx / factor, y + dy / factor];
+                let looks = steps.iter().flat_map(|dy| steps.map(|dx| look(dx, *dy)));
+                looks.map(|look| Canvas::of(picture, look)).collect()
+            })
+            .collect();
+        match samples.as_slice() {
+            [looks] => looks.clone(),
+            _ => means(&samples),
+        }
     })
+}
+
+/// The means of samples at their centres, and where each of them is as dark and as bright as it is
+/// seen to be.
+fn means(samples: &[Vec<Canvas>]) -> Vec<Canvas> {
+    let mean = |of: &dyn Fn(&[Canvas], usize, usize) -> f64| {
+        let mut canvas = samples[0][0].clone();
+        for (i, color) in canvas.colors.iter_mut().enumerate() {
+            *color = [0, 1, 2].map(|k| {
+                samples.iter().map(|looks| of(looks, i, k)).sum::<f64>() / samples.len() as f64
+            });
+        }
+        canvas
+    };
+    let seen = |looks: &[Canvas], i: usize, k: usize| -> Vec<f64> {
+        looks.iter().map(|canvas| canvas.colors[i][k]).collect()
+    };
+    vec![
+        mean(&|looks, i, k| looks[0].colors[i][k]),
+        mean(&|looks, i, k| seen(looks, i, k).into_iter().fold(255.0, f64::min)),
+        mean(&|looks, i, k| seen(looks, i, k).into_iter().fold(0.0, f64::max)),
+    ]
+}
+
+/// How often colours are stored of which a blended one is made: each time up to a step of the
+/// format is lost.
+fn stores(picture: &Picture) -> f64 {
+    let blends = picture.draws.iter().any(|draw| {
+        let fragments = match draw {
+            Draw::Mesh(draw) => draw.fragments,
+            Draw::Screen(draw) => draw.fragments,
+        };
+        fragments.is_some_and(|fragments| fragments.blend != AnyBlend::Replace)
+    });
+    if blends {
+        2.0
+    } else {
+        1.0
+    }
 }
 
 /// Compares with the first of the looks, and with all of them.
@@ -87,7 +140,7 @@ fn agreement(picture: &Picture, pixels: &[Rgb], looks: &[Canvas]) -> Agreement {
         let is_between = |canvases: &[Canvas]| {
             (0..3).all(|k| {
                 let seen = || canvases.iter().map(|canvas| canvas.colors[i][k]);
-                let step = steps(picture.format)[k] + 0.25;
+                let step = steps(picture.format)[k] * stores(picture) + 0.25;
                 let (low, high) = (seen().fold(255.0, f64::min), seen().fold(0.0, f64::max));
                 (low - step..=high + step).contains(&f64::from(pixel[k]))
             })

@@ -13,8 +13,8 @@ use std::ops::RangeInclusive;
 
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Adaptive, Affine, Color, DrawContext, Every, Exact, Format, Frame, Perspective,
-    PerspectiveCorner, PerspectiveMode, Rect, ScreenPass, Shader, Size, Uv, VertexInput,
+    Adaptive, Affine, Color, Constant, DrawContext, Every, Exact, Format, Frame, Perspective,
+    PerspectiveCorner, PerspectiveMode, Rect, Scalars, ScreenPass, Shader, Size, Uv, VertexInput,
 };
 use support::Random;
 
@@ -120,6 +120,18 @@ impl Exactly {
             sum / q
         };
         (q, [of(0), of(1)])
+    }
+
+    /// Any value of the corners at a pixel's centre.
+    fn mixed(&self, x: i32, y: i32, values: [f64; 3]) -> f64 {
+        let one = |k: usize| {
+            let mut corners = self.corners;
+            for (i, corner) in corners.iter_mut().enumerate() {
+                corner.uv = [i16::from(i == k), 0];
+            }
+            Self { corners, area: self.area }.at(x, y).1[0]
+        };
+        (0..3).map(|k| one(k) * values[k]).sum()
     }
 
     /// How much the coordinates of the corners differ at most, in steps that 16-bit words resolve.
@@ -371,6 +383,80 @@ fn corners_at_the_ends_of_w_wrap_nowhere() {
                 let falls = row.windows(2).map(|pair| pair[0] - pair[1]).fold(0.0, f64::max);
                 // u rises along each row; a wrap would be a fall of 65536.
                 assert!(falls < 3.0, "falls by {falls} in row {y}, w {a} and {b}");
+            }
+        }
+    }
+}
+
+/// Eight groups of four numbers, of every kind; which of them is shown is a number.
+struct Groups(usize);
+
+/// Numbers in perspective, linear on the screen, and the first corner's.
+type Smooth = Perspective<Scalars<4>>;
+type Linear = Scalars<4>;
+type Flat = Constant<[u16; 4]>;
+
+impl Shader for Groups {
+    type Vertex = ();
+    type Varying = (Smooth, Linear, Flat, Smooth, Linear, Flat, Smooth, Linear);
+    type Prepared = ();
+
+    fn prepare(&self, _: &DrawContext) {}
+
+    fn vertex(&self, (): &(), _: VertexInput<'_, ()>) -> microraster::Corner<Self::Varying> {
+        Default::default()
+    }
+
+    fn fragment(&self, (): &(), varying: &Self::Varying) -> Option<Color> {
+        let (a, b, c, d, e, f, g, h) = varying;
+        let groups = [a.get(), b.get(), c.0, d.get(), e.get(), f.0, g.get(), h.get()];
+        let [p, q, r, s] = groups[self.0].map(u32::from);
+        Some(Color { blue_red: p << 16 | q, green: r << 16 | s })
+    }
+}
+
+#[test]
+fn eight_groups_of_four_are_interpolated_each_in_its_way() {
+    let mut random = Random(76);
+    for _ in 0..40 {
+        let corners = triangle(&mut random, 8, 12..=18);
+        let values =
+            corners.map(|_| [0; 8].map(|_: i32| [0; 4].map(|_: i32| random.next() as u16)));
+        let exactly = Exactly::of(corners);
+        let even = Exactly::of(corners.map(|corner| Corner { w: 1, ..corner }));
+        for group in 0..8 {
+            let mut pixels = vec![BLANK; usize::from(SIDE) * usize::from(SIDE)];
+            let mut frame = Frame::<Words>::new(&mut pixels, Size::new(SIDE, SIDE)).expect("fits");
+            let shaded = [0, 1, 2].map(|k| {
+                let (Corner { x, y, w, .. }, v) = (corners[k], values[k]);
+                let smooth = |v| PerspectiveCorner::new(v, w);
+                let varying =
+                    (smooth(v[0]), v[1], v[2], smooth(v[3]), v[4], v[5], smooth(v[6]), v[7]);
+                (ScreenVertex::from_bits(x, y, 0), varying)
+            });
+            ScreenPass::new().triangle(&mut frame, &Groups(group), &shaded);
+            for (y, first, last) in rows(&pixels) {
+                for x in first..=last {
+                    let raw = pixels[y as usize * usize::from(SIDE) + x as usize];
+                    for axis in 0..4 {
+                        let seen = f64::from((raw >> (48 - 16 * axis)) as u16);
+                        let corner = values.map(|v| f64::from(v[group][axis]));
+                        let (expected, bound) = match group {
+                            // Adaptive: a quarter of a pixel's way, of which there is no bound here
+                            // but that between the neighbours.
+                            0 | 3 | 6 => {
+                                let near = [x - 1, x, x + 1].map(|x| exactly.mixed(x, y, corner));
+                                let step = (near[2] - near[1]).abs().max((near[1] - near[0]).abs());
+                                let (q, _) = exactly.at(x, y);
+                                (near[1], 0.25 * step + 4.0 / q + 2.0)
+                            }
+                            2 | 5 => (corner[0], 0.0),
+                            _ => (even.mixed(x, y, corner), 0.7),
+                        };
+                        let error = (seen - expected).abs();
+                        assert!(error <= bound, "group {group}: {error} > {bound} at {x}, {y}");
+                    }
+                }
             }
         }
     }

@@ -10,10 +10,11 @@ mod support;
 
 use microraster::math::{Mat4, Vec3};
 use microraster::raster::ScreenVertex;
+use microraster::texture::{Rgba5551, Sampler, Texture};
 use microraster::{
-    Always, Camera, Color, Consecutive, Corner, Cull, DrawContext, Flat, Frame, Indices, LineList,
-    LineLoop, LineStrip, Mesh, Pass, PointCoordinates, Points, Rect, Rgb, Rgba8888, ScreenPass,
-    Shader, Size, SizeOf, Stats, Thin, VertexInput, Wide,
+    Always, Camera, Color, Consecutive, Corner, Cull, Cutout, DrawContext, Flat, Frame, Indices,
+    Less, LineList, LineLoop, LineStrip, Mesh, Pass, PointCoordinates, Points, Rect, Rgb, Rgb565,
+    Rgba8888, ScreenPass, Shader, Size, SizeOf, Sprite, Stats, Thin, VertexInput, Wide,
 };
 use support::{any_corner, Random};
 
@@ -360,4 +361,27 @@ fn points_of_meshes_reach_into_the_view_from_beside_it() {
         far += stats.outside;
     }
     assert!(beside > 300 && far > 1_000, "hardly tested: {beside}, {far}");
+}
+
+#[test]
+fn a_sprite_shows_its_texture_whole_and_a_cutout_leaves_its_holes_alone() {
+    // Four texels of 5551: red, a hole, blue, green.
+    static TEXELS: [u16; 4] = [0xF801, 0x0000, 0x003F, 0x07C1];
+    let texture = Texture::<Rgba5551>::new(&TEXELS, 2, 2).expect("four texels");
+    let sprite = Cutout::new(Sprite::new(Sampler::nearest(texture).expect("powers of two")), 128);
+    let (mut pixels, mut codes) = ([0x1234_u16; 100], [7_u16; 100]);
+    let frame = Frame::<Rgb565>::new(&mut pixels, Size::new(10, 10));
+    let mut frame = frame.and_then(|frame| frame.with_depth(&mut codes)).expect("buffers fit");
+    // Six pixels about (5, 5): columns and rows 2 to 7.
+    let point = (ScreenVertex::from_bits(80, 80, 900), ());
+    let shader: Cutout<Sprite<_>> = sprite;
+    ScreenPass::new().depth(Less).points(&mut frame, &shader, 6, &[point]);
+    for (i, (pixel, code)) in pixels.iter().zip(codes).enumerate() {
+        let (x, y) = (i % 10, i / 10);
+        let inside = (2..8).contains(&x) && (2..8).contains(&y);
+        let texel = [0xF800, 0x1234, 0x001F, 0x07E0][usize::from(x >= 5) + 2 * usize::from(y >= 5)];
+        let expected =
+            if inside { (texel, if texel == 0x1234 { 7 } else { 900 }) } else { (0x1234, 7) };
+        assert_eq!((*pixel, code), expected, "pixel {x}, {y}");
+    }
 }

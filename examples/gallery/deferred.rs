@@ -1,141 +1,165 @@
-//! Deferred shading: what is seen is found first, in a format of the example's own, and lit
-//! afterwards, each pixel once.
+//! Deferred shading: what is visible first, its colour later, by a pixel format of one's own.
+//!
+//! The first pass stores a normal and a material for each pixel, whatever lies over each other; the
+//! second lights each pixel once. The frame neither knows nor cares that its pixels are no colours.
 
-use super::Canvas;
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::models::TEAPOT;
 use microraster::{
-    Camera, Color, Corner, Cull, DepthBuffer, DrawContext, Format, Frame, FrameError, Less, Mesh,
-    Normal, Pass, Rgb, Rgb565, Scalars, Shader, Size, Stats, VertexInput,
+    Camera, Color, Corner, Cull, DrawContext, Format, Frame, FrameError, Less, Normal, Pass, Rgb,
+    Rgb565, Shader, Size, SmoothColor, Stats, VertexInput,
 };
 
-/// What is kept of a visible surface: a normal in three bytes, and a material.
+use super::shapes::BALL;
+
+/// What is known of a pixel: a normal in the world, 128 being zero, and a material's number.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Surface;
+pub(crate) struct Attributes;
 
-impl Format for Surface {
-    type Raw = u32;
+impl Format for Attributes {
+    type Raw = [u8; 4];
 
-    fn pack(color: Color) -> u32 {
-        u32::from_le_bytes([color.red(), color.green(), color.blue(), color.alpha()])
+    fn pack(color: Color) -> [u8; 4] {
+        [color.red(), color.green(), color.blue(), color.alpha()]
     }
 
-    fn unpack(raw: u32) -> Color {
-        let [r, g, b, a] = raw.to_le_bytes();
-        Color::new(r, g, b).with_alpha(a)
+    fn unpack([x, y, z, material]: [u8; 4]) -> Color {
+        Color::new(x, y, z).with_alpha(material)
     }
 }
 
-/// Writes normals as the eye sees them, and a material's number.
-struct Attributes {
+/// Makes attributes: the normal takes the way of a colour, the material that of its alpha.
+struct Visible {
     material: u8,
 }
 
-impl Shader for Attributes {
+impl Shader for Visible {
     type Vertex = Normal;
-    type Varying = Scalars<3>;
-    /// From the mesh to the eye, 2^7 being 1.
+    type Varying = SmoothColor;
+    /// The model's rotation, 256 being 1.
     type Prepared = [[i32; 3]; 3];
 
-    fn prepare(&self, draw: &DrawContext) -> [[i32; 3]; 3] {
-        let rows = (draw.view * draw.model).transpose();
-        [rows.x, rows.y, rows.z].map(|row| {
-            let Vec3 { x, y, z } = row.truncate().normalize() * 128.0;
-            [x as i32, y as i32, z as i32]
-        })
+    #[allow(clippy::cast_possible_truncation, reason = "a float cast saturates")]
+    fn prepare(&self, draw: &DrawContext) -> Self::Prepared {
+        let rows = draw.model.transpose();
+        [rows.x, rows.y, rows.z]
+            .map(|row| (row.truncate().normalize() * 256.0).to_array().map(|number| number as i32))
     }
 
-    fn vertex(&self, rows: &[[i32; 3]; 3], vertex: VertexInput<'_, Normal>) -> Corner<Scalars<3>> {
-        rows.map(|row| {
-            let products = row.iter().zip(vertex.attributes);
-            let sum: i32 = products.map(|(factor, n)| factor * i32::from(*n)).sum();
-            // 127 x 128 is a unit: 2^15 and some more about the middle.
-            (32_768 + sum * 2).clamp(0, 65_535) as u16
-        })
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "limited to 8 bits just before"
+    )]
+    fn vertex(
+        &self,
+        rows: &Self::Prepared,
+        vertex: VertexInput<'_, Normal>,
+    ) -> Corner<SmoothColor> {
+        let normal = vertex.attributes.map(i32::from);
+        let [x, y, z] = rows.map(|row| {
+            let turned = row[0] * normal[0] + row[1] * normal[1] + row[2] * normal[2];
+            (128 + (turned >> 8)).clamp(0, 255) as u8
+        });
+        Color::new(x, y, z)
     }
 
-    fn fragment(&self, _: &[[i32; 3]; 3], normal: &Scalars<3>) -> Option<Color> {
-        let [x, y, z] = normal.get().map(|word| (word >> 8) as u8);
-        Some(Color::new(x, y, z).with_alpha(self.material))
+    fn fragment(&self, _: &Self::Prepared, normal: &SmoothColor) -> Option<Color> {
+        Some(normal.color().with_alpha(self.material))
     }
 }
 
-/// Materials by number: colour, and how much they shine. Nothing is at 0.
-const MATERIALS: [(Rgb, i32); 4] = [
-    (Rgb::BLACK, 0),
-    (Rgb::new(220, 214, 205), 20),
-    (Rgb::new(206, 120, 60), 220),
-    (Rgb::new(80, 150, 120), 120),
+/// Number 0 is the background.
+const MATERIALS: [Rgb; 6] = [
+    Rgb::new(20, 22, 34),
+    Rgb::new(236, 228, 214),
+    Rgb::new(214, 96, 60),
+    Rgb::new(70, 150, 160),
+    Rgb::new(226, 178, 70),
+    Rgb::new(120, 104, 190),
 ];
 
-/// Draws two teapots on a floor into `surfaces`, then lights them into the frame.
+/// Draws rows `first_row..` of a picture, as many as `pixels` hold; `turn` in degrees.
 ///
 /// # Errors
-/// Fewer words than pixels.
+/// Buffers that are too small: all three have as many places.
 pub(crate) fn draw(
-    canvas: &mut Canvas<'_>,
+    pixels: &mut [u16],
+    attributes: &mut [[u8; 4]],
+    depth: &mut [u16],
+    (picture, first_row, rows): (Size, u16, u16),
     turn: f32,
     stats: &mut Stats,
 ) -> Result<(), FrameError> {
-    let Canvas { picture, first_row, rows, pixels, depth, words } = canvas;
-    let mut seen: Frame<'_, Surface, DepthBuffer<'_>> =
-        Frame::new(words, Size::new(picture.width, *rows))?
-            .with_depth(depth)?
-            .band(*first_row, picture.height)?;
-    seen.clear(Color::new(0, 0, 0).with_alpha(0));
-    let camera = Camera::perspective(38.0.degrees(), 0.5).look_at(
-        Vec3::new(0.0, 4.0, 9.0),
-        Vec3::new(0.0, -0.2, 0.0),
+    let size = Size::new(picture.width, rows);
+    let mut frame = Frame::<Attributes>::new(attributes, size)?
+        .with_depth(depth)?
+        .band(first_row, picture.height)?;
+    frame.clear(Color::new(128, 128, 128).with_alpha(0));
+    let camera = Camera::perspective(42.0.degrees(), 0.5).look_at(
+        Vec3::new(0.0, 3.4, 8.0),
+        Vec3::new(0.0, -0.6, 0.0),
         Vec3::Y,
     );
-    let floor =
-        Mesh::new(&FLOOR, &[[0, 127, 0]; 6]).placed(Vec3::splat(1.0), Vec3::new(0.0, -1.0, 0.0));
-    let mut pass = Pass::new(&camera).depth(Less).cull(Cull::Back).count(stats);
-    pass.draw(&mut seen, &Mat4::identity(), &floor, &Attributes { material: 1 });
-    for (x, material) in [(-1.75, 2), (1.75, 3)] {
-        let model = Mat4::translation(Vec3::new(x, 0.0, 0.0))
-            * Mat4::rotation_y((turn + 40.0 * x).degrees());
-        pass.draw(&mut seen, &model, &TEAPOT, &Attributes { material });
+    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less).count(stats);
+    // Far to near, the worst order there is: nothing is lit in vain all the same.
+    for (number, material) in (0_u8..6).zip([3, 4, 5, 2, 3, 4]) {
+        let (sin, cos) = (180.0 + turn + 60.0 * f32::from(number)).degrees().sin_cos();
+        let model = Mat4::translation(Vec3::new(3.0 * sin, -0.6, 3.0 * cos))
+            * Mat4::scale(Vec3::splat(0.8));
+        pass.draw(&mut frame, &model, &BALL, &Visible { material });
     }
-    // Each visible surface is lit once.
-    let seen = usize::from(picture.width) * usize::from(*rows);
-    for (pixel, surface) in pixels.iter_mut().zip(words.iter()).take(seen) {
-        *pixel = Rgb565::encode(shade(*surface));
+    let model = Mat4::rotation_y((20.0 - turn).degrees());
+    pass.draw(&mut frame, &model, &TEAPOT, &Visible { material: 1 });
+
+    for (pixel, visible) in pixels.iter_mut().zip(attributes.iter()) {
+        *pixel = Rgb565::pack(lit(*visible));
     }
     Ok(())
 }
 
-static FLOOR: [[i16; 3]; 6] =
-    [[-9, 0, 9], [9, 0, 9], [9, 0, -9], [-9, 0, 9], [9, 0, -9], [-9, 0, -9]];
-
-/// Lights in the eye's space: where they come from, 2^7 long, and their colour.
-const LIGHTS: [([i32; 3], Rgb); 3] = [
-    ([-60, 85, 74], Rgb::new(190, 180, 170)),
-    ([110, 30, 58], Rgb::new(30, 60, 130)),
-    ([-20, 20, 125], Rgb::new(40, 36, 30)),
+/// A light: where it is from, as long as 127, and its colour.
+const LIGHTS: [([i32; 3], [i32; 3]); 3] = [
+    ([-62, 88, 67], [190, 176, 150]),
+    ([118, 12, 45], [40, 80, 150]),
+    ([-84, -6, -94], [230, 80, 120]),
 ];
 
-/// The colour of a surface, dark blue where there is none.
-fn shade(surface: u32) -> Color {
-    let [x, y, z, material] = surface.to_le_bytes();
-    let Some((color, shine)) = MATERIALS.get(usize::from(material)).filter(|_| material != 0)
-    else {
-        return Color::new(22, 26, 44);
+/// Halfway between a light and the eye, the same of each.
+const HALFWAY: [[i32; 3]; 3] = [[-37, 79, 92], [78, 36, 93], [-88, 39, 82]];
+
+/// The colour of what is visible: ambient, and the diffuse light and highlight of each light.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "limited to 8 bits just before"
+)]
+fn lit([x, y, z, material]: [u8; 4]) -> Color {
+    let Rgb { r, g, b } = MATERIALS.get(usize::from(material)).copied().unwrap_or(Rgb::BLACK);
+    if material == 0 {
+        return Color::new(r, g, b);
+    }
+    let normal = [x, y, z].map(|component| i32::from(component) - 128);
+    let cosine = |to: &[i32; 3]| {
+        let sum = normal[0] * to[0] + normal[1] * to[1] + normal[2] * to[2];
+        (sum >> 6).clamp(0, 255)
     };
-    let normal = [x, y, z].map(|v| i32::from(v) - 128);
-    let mut sum = [18, 20, 26];
-    for ([u, v, w], light) in &LIGHTS {
-        let along = |w: i32| (normal[0] * u + normal[1] * v + normal[2] * w).max(0);
-        let cosine = along(*w) >> 6;
-        // Halfway to the eye, which is along z; then its eighth power.
-        let halfway = (along(w + 128) / 113).min(255);
-        let power = (0..3).fold(halfway, |power, _| (power * power) >> 8);
-        let channels = [(color.r, light.r), (color.g, light.g), (color.b, light.b)];
-        for (sum, (own, light)) in sum.iter_mut().zip(channels) {
-            let shown = ((i32::from(own) * cosine) >> 8) + ((power * shine) >> 8);
-            *sum += (shown * i32::from(light)) >> 8;
+    let (mut diffuse, mut shine) = ([40, 42, 56], [0; 3]);
+    for ((light, color), halfway) in LIGHTS.iter().zip(&HALFWAY) {
+        let facing = cosine(light);
+        // The 32nd power of a cosine, by squares.
+        let power = (0..5).fold(cosine(halfway), |power, _| (power * power) >> 8);
+        for ((diffuse, shine), color) in diffuse.iter_mut().zip(&mut shine).zip(color) {
+            *diffuse += (facing * color) >> 8;
+            *shine += (power * color) >> 9;
         }
     }
-    let [r, g, b] = sum.map(|channel| channel.min(255) as u8);
-    Color::new(r, g, b)
+    let channel = |material: u8, diffuse: i32, shine: i32| {
+        (((i32::from(material) * diffuse) >> 8) + shine).clamp(0, 255) as u8
+    };
+    Color::new(
+        channel(r, diffuse[0], shine[0]),
+        channel(g, diffuse[1], shine[1]),
+        channel(b, diffuse[2], shine[2]),
+    )
 }

@@ -1,103 +1,150 @@
-//! The same drawing twice: left as it comes, right anti-aliased, by samples and by coverage.
+//! Edges without steps: a gear with 1, 4 and 16 samples a pixel, and lines by coverage.
 
-use super::Canvas;
-use microraster::math::{Angle, AngleUnits, Mat4, Vec2, Vec3};
-use microraster::models::TEAPOT;
+use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Alpha, Camera, Cull, DepthBuffer, Flat, Format, Frame, FrameError, Gouraud, Lambert, Less,
-    Light, Pass, Rect, Rgb, Rgb565, ScreenPass, ShadedVertex, Size, Smooth, Stats, Supersampling,
-    Thin, Undithered, VertexColors,
+    Alpha, Camera, Color, Cull, DepthBuffer, Flat, Format, Frame, FrameError, Gouraud, Lambert,
+    Less, Light, LineStyle, Pass, Rect, Rgb, Rgb565, Rgba8888, ScreenPass, Size, Smooth, Stats,
+    Supersampling, Thin, Undithered,
 };
 
-const NIGHT: Rgb = Rgb::new(14, 18, 30);
+use super::{font, gears};
 
-/// Draws both halves.
+const PAPER: Rgb = Rgb::new(248, 244, 236);
+const INK: Rgb = Rgb::new(40, 48, 64);
+
+/// Columns of the picture: where each begins. They are as wide as the gears are high.
+const COLUMNS: [i32; 3] = [4, 110, 216];
+const SIDE: i32 = 100;
+const GEARS_TOP: i32 = 18;
+const LINES_TOP: i32 = 136;
+
+/// Draws a picture of 320x240; `turn` in degrees. Samples are drawn a few rows at a time, as many
+/// as `samples` and `sample_depth` have room for: 4 rows of 1280 at least.
 ///
 /// # Errors
-/// Too little memory: twice the pixels' rows and columns, a few rows at a time, are drawn in
-/// `words`.
+/// There is less room.
 pub(crate) fn draw(
-    canvas: &mut Canvas<'_>,
+    frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>,
+    samples: &mut [u32],
+    sample_depth: &mut [u16],
     turn: f32,
     stats: &mut Stats,
 ) -> Result<(), FrameError> {
-    let Canvas { picture, first_row, rows, pixels, depth, words } = canvas;
-    let size = Size::new(picture.width, *rows);
-    let mut frame = Frame::<Rgb565>::new(pixels, size)?.with_depth(depth)?;
-    frame = frame.band(*first_row, picture.height)?;
-    frame.clear(NIGHT);
-    let (width, height) = (i32::from(picture.width), i32::from(picture.height));
-    let (left, right) =
-        (Rect::new(0, 0, width / 2, height), Rect::new(width / 2, 0, width, height));
-    teapot(&mut frame, left, turn, stats);
-    // Twice as large, in bands of a few rows, whose depth codes lie beside them.
-    let fine_size = |rows: u16| Size::new(picture.width * 2, rows * 2);
-    let rows_at_once = (ROWS * 2).min(*rows);
-    let samples = 4 * usize::from(picture.width) * usize::from(rows_at_once);
-    let halves: &mut [u16] = bytemuck::cast_slice_mut(words);
-    let (fine, codes) = halves.split_at_mut(samples.min(halves.len()));
-    let mut first = *first_row;
-    while first < *first_row + *rows {
-        let held = rows_at_once.min(*first_row + *rows - first);
-        let mut fine = Frame::<Rgb565>::new(fine, fine_size(held))?.with_depth(codes)?;
-        fine = fine.band(first * 2, picture.height * 2)?;
-        fine.clear(NIGHT);
-        let twice =
-            |rect: Rect| Rect::new(rect.left * 2, rect.top * 2, rect.right * 2, rect.bottom * 2);
-        teapot(&mut fine, twice(right), turn, stats);
-        frame.set_scissor(right);
-        Supersampling::Two.resolve(&fine, &mut frame, &Undithered);
-        frame.reset_scissor();
-        first += held;
+    frame.clear(PAPER);
+    let [plain, four, sixteen] =
+        COLUMNS.map(|x| Rect::new(x, GEARS_TOP, x + SIDE, GEARS_TOP + SIDE));
+    gear(frame, plain, turn, stats);
+    for (cell, supersampling) in [(four, Supersampling::Two), (sixteen, Supersampling::Four)] {
+        sampled(frame, cell, supersampling, (samples, sample_depth), turn, stats)?;
     }
-    rays(&mut frame, left, turn, |frame, lines| {
-        ScreenPass::new().lines(frame, &Flat::colored(), Thin, lines);
-    });
-    rays(&mut frame, right, turn, |frame, lines| {
-        ScreenPass::new().blend(Alpha).lines(frame, &Flat::colored(), Smooth(1), lines);
-    });
+    let fan = fan(turn);
+    lines(frame, COLUMNS[0], &fan, Thin, stats);
+    lines(frame, COLUMNS[1], &fan, Smooth(1), stats);
+    lines(frame, COLUMNS[2], &fan, Smooth(3), stats);
+
+    let texts: [[&[u8]; 2]; 3] =
+        [[b"1 SAMPLE", b"THIN"], [b"4 SAMPLES", b"SMOOTH 1"], [b"16 SAMPLES", b"SMOOTH 3"]];
+    for (x, texts) in COLUMNS.into_iter().zip(texts) {
+        for (top, text) in [GEARS_TOP - 12, LINES_TOP - 12].into_iter().zip(texts) {
+            // In the middle of the column.
+            let width = font::ADVANCE * i32::try_from(text.len()).unwrap_or(0);
+            font::write(frame, (x + (SIDE - width) / 2, top), 1, INK, text, stats);
+        }
+    }
     Ok(())
 }
 
-/// Rows that are drawn twice as large at a time.
-const ROWS: u16 = 8;
+/// Draws a gear with several samples a pixel into a cell of the picture.
+fn sampled(
+    frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>,
+    cell: Rect,
+    supersampling: Supersampling,
+    (samples, depth): (&mut [u32], &mut [u16]),
+    turn: f32,
+    stats: &mut Stats,
+) -> Result<(), FrameError> {
+    let (factor, picture) = (supersampling.factor(), frame.picture());
+    let width = picture.width * factor;
+    let held = frame.scissor();
+    // Rows of the picture that there is room for.
+    let room = samples.len().min(depth.len()) / usize::from(width * factor);
+    let room = u16::try_from(room).unwrap_or(u16::MAX).max(1);
+    let mut first = first_row(cell.top.max(held.top));
+    let end = first_row(cell.bottom.min(held.bottom));
+    while first < end {
+        let rows = room.min(end - first);
+        let mut fine = Frame::<Rgba8888>::new(samples, Size::new(width, rows * factor))?
+            .with_depth(depth)?
+            .band(first * factor, picture.height * factor)?;
+        fine.clear(PAPER);
+        let large = i32::from(factor);
+        let viewport =
+            Rect::new(cell.left * large, cell.top * large, cell.right * large, cell.bottom * large);
+        gear(&mut fine, viewport, turn, stats);
+        frame.set_scissor(Rect::new(cell.left, first.into(), cell.right, (first + rows).into()));
+        supersampling.resolve(&fine, frame, &Undithered);
+        first += rows;
+    }
+    frame.reset_scissor();
+    Ok(())
+}
 
-fn teapot<F: Format>(
+/// A row of the picture, 0 for one above it.
+fn first_row(y: i32) -> u16 {
+    u16::try_from(y).unwrap_or(0)
+}
+
+/// Draws a gear into a square of the picture.
+fn gear<F: Format>(
     frame: &mut Frame<'_, F, DepthBuffer<'_>>,
     viewport: Rect,
     turn: f32,
     stats: &mut Stats,
 ) {
-    let camera = Camera::perspective(44.0.degrees(), 0.5).look_at(
-        Vec3::new(0.0, 4.0, 11.0),
-        Vec3::new(0.15, 1.0, 0.0),
+    let camera = Camera::perspective(30.0.degrees(), 5.0).look_at(
+        Vec3::new(4.0, 6.0, 16.0),
+        Vec3::ZERO,
         Vec3::Y,
     );
-    let sun = Light::directional(Vec3::new(0.4, -0.7, -0.8), Rgb::WHITE);
-    let shader = Gouraud::new(Lambert::new(&[sun]).material(Rgb::new(236, 174, 88)));
-    let model = Mat4::rotation_y(turn.degrees());
-    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less).viewport(viewport).count(stats);
-    pass.draw(frame, &model, &TEAPOT, &shader);
+    let sun = Light::directional(Vec3::new(-0.2, -0.6, -1.0), Rgb::new(200, 200, 200));
+    let light = Lambert::new(&[sun]).ambient(Rgb::new(70, 70, 70)).material(Rgb::new(60, 110, 210));
+    let mut pass = Pass::new(&camera).viewport(viewport).cull(Cull::Back).depth(Less).count(stats);
+    let model = Mat4::rotation_z(turn.degrees());
+    pass.draw(frame, &model, &gears::RED.mesh(), &Gouraud::new(light));
 }
 
-/// A fan of rays above the teapot.
-fn rays<'a>(
-    frame: &mut Frame<'a, Rgb565, DepthBuffer<'a>>,
-    half: Rect,
-    turn: f32,
-    draw: impl Fn(&mut Frame<'a, Rgb565, DepthBuffer<'a>>, &[[ShadedVertex<Flat<VertexColors>>; 2]]),
+type Line = [(ScreenVertex, Color); 2];
+
+/// Lines all around, from a circle to a larger one.
+#[allow(clippy::cast_possible_truncation, reason = "places in a cell")]
+fn fan(turn: f32) -> [Line; 20] {
+    let mut number = 0.0;
+    [(); 20].map(|()| {
+        let (sin, cos) = (0.25 * turn + 18.0 * number).degrees().sin_cos();
+        number += 1.0;
+        [12.0, 48.0].map(|radius: f32| {
+            let at = |along: f32| ((SIDE as f32 * 0.5 + radius * along) * 16.0) as i32;
+            (ScreenVertex::from_bits(at(cos), at(sin), 0), INK.into())
+        })
+    })
+}
+
+/// Draws lines into a column.
+fn lines(
+    frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>,
+    x: i32,
+    lines: &[Line; 20],
+    style: impl LineStyle,
+    stats: &mut Stats,
 ) {
-    const RAYS: usize = 24;
-    let middle = Vec2::new((half.left + half.right) as f32 * 0.5, half.bottom as f32 * 0.26);
-    let lines: [[ShadedVertex<Flat<VertexColors>>; 2]; RAYS] = core::array::from_fn(|i| {
-        let (sin, cos) = Angle::from_degrees(turn + i as f32 * 360.0 / RAYS as f32 + 3.0).sin_cos();
-        let end = |radius: f32| {
-            let at = (middle + Vec2::new(cos, sin) * radius) * 16.0;
-            let color = Rgb::new(120 + 5 * i as u8, 240 - 4 * i as u8, 230);
-            (ScreenVertex::from_bits(at.x as i32, at.y as i32, 0), color.into())
-        };
-        [end(12.0), end(52.0)]
+    let moved = lines.map(|line| {
+        line.map(|(at, color)| {
+            let (left, top) = (at.x.to_bits() + x * 16, at.y.to_bits() + LINES_TOP * 16);
+            (ScreenVertex::from_bits(left, top, 0), color)
+        })
     });
-    draw(frame, &lines);
+    // What lines do not cover of a pixel is left as it is: blended.
+    let mut pass = ScreenPass::new().blend(Alpha).count(stats);
+    pass.lines(frame, &Flat::colored(), style, &moved);
 }

@@ -2,15 +2,16 @@
 
 use microraster::math::Mat4;
 use microraster::{
-    Alpha, Color, ConstantAlpha, Dither4, Dither8, DrawContext, Flat, FlatColor, Format, Gouraud,
-    Less, Pass, Rgb, Row, Shader, State, Stats, VertexInput,
+    Alpha, Color, ConstantAlpha, Dither4, Dither8, DrawContext, Equal, Flat, FlatColor, Format,
+    Frame, Gouraud, IncrementWrap, Less, Off, Pass, Rgb, Rgb565, Row, Shader, State, Stats,
+    Stencil, Stenciled, VertexInput,
 };
 
-use super::standard::{camera, facts, frame, measured, quad};
-use super::{Facts, Group, Probe, Scene, Stage};
+use super::standard::{camera, facts, frame, measured, quad, SIZE};
+use super::{Facts, Group, Probe, Scene, Stage, ROOM};
 
 /// The list.
-pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 5] {
+pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 7] {
     let scene = |name, draw| Scene { name, group: Group::Standard, frames: 1, bunny: false, draw };
     [
         scene("blend", blend::<P>),
@@ -18,6 +19,8 @@ pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 5] {
         scene("blend-gouraud", blend_gouraud::<P>),
         scene("dither", dither::<P>),
         scene("dither-8x8", dither_8x8::<P>),
+        scene("stencil", stencil::<P>),
+        scene("stencil-alone", stencil_alone::<P>),
     ]
 }
 
@@ -110,6 +113,52 @@ fn dither_8x8<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Fa
         let (camera, quad) = (camera(), quad());
         let shader = Gouraud::colored();
         measured!(probe, Pass::new(&camera).depth(Less).dither(Dither8), |pass| pass.draw(
+            &mut frame,
+            &Mat4::identity(),
+            &quad,
+            &shader
+        ));
+    }
+    facts(2)
+}
+
+/// Colours in the first half of the stage's words, stencil values in the second.
+fn halves(color: &mut [u32]) -> (&mut [u16], &mut [u8]) {
+    let (color, stencil) = color.split_at_mut(ROOM / 2);
+    (bytemuck::cast_slice_mut(color), bytemuck::cast_slice_mut(stencil))
+}
+
+/// Fill with depth where nothing has been drawn, counting what is.
+fn stencil<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    let (color, stencil) = halves(stage.color);
+    let frame = Frame::<Rgb565>::new(color, SIZE)
+        .and_then(|frame| frame.with_depth(stage.depth))
+        .and_then(|frame| frame.with_stencil(stencil));
+    if let Ok(mut frame) = frame {
+        frame.clear(Rgb::BLACK);
+        let (camera, quad) = (camera(), quad());
+        let shader = Flat::solid(Rgb::new(255, 128, 0));
+        let once = Stencil::new(Equal, 0).on_pass(IncrementWrap);
+        measured!(probe, Pass::new(&camera).depth(Stenciled::new(Less, once)), |pass| pass.draw(
+            &mut frame,
+            &Mat4::identity(),
+            &quad,
+            &shader
+        ));
+    }
+    facts(2)
+}
+
+/// The same without depth.
+fn stencil_alone<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    let (color, stencil) = halves(stage.color);
+    let frame = Frame::<Rgb565>::new(color, SIZE).and_then(|frame| frame.with_stencil(stencil));
+    if let Ok(mut frame) = frame {
+        frame.clear(Rgb::BLACK);
+        let (camera, quad) = (camera(), quad());
+        let shader = Flat::solid(Rgb::new(255, 128, 0));
+        let once = Stencil::new(Equal, 0).on_pass(IncrementWrap);
+        measured!(probe, Pass::new(&camera).depth(Stenciled::new(Off, once)), |pass| pass.draw(
             &mut frame,
             &Mat4::identity(),
             &quad,

@@ -4,6 +4,7 @@
 //! from the same source.
 
 pub(crate) mod fragments;
+pub(crate) mod gallery;
 pub(crate) mod golden;
 pub(crate) mod grid;
 pub(crate) mod hash;
@@ -62,6 +63,8 @@ pub(crate) enum Group {
     Standard,
     /// Small pictures that are kept and compared exactly.
     Golden,
+    /// Pictures to look at.
+    Gallery,
 }
 
 /// One scene.
@@ -87,4 +90,5 @@ pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
         .chain(fragments::scenes())
         .chain(textured::scenes())
         .chain(golden::scenes())
+        .chain(gallery::scenes())
 }

@@ -20,7 +20,7 @@ use microraster::{
 
 use super::{grid, Facts, Group, Probe, Scene, Stage, ROOM};
 
-const SIZE: Size = Size::new(320, 240);
+pub(super) const SIZE: Size = Size::new(320, 240);
 /// Bytes of an RGB565 picture.
 const BYTES: usize = ROOM * 2;
 

@@ -93,16 +93,28 @@ pub trait Format {
         Self::pack(color)
     }
 
-    /// A corner's colour made ready for [`pack_dimmed`](Self::pack_dimmed).
+    /// A corner's colour made ready for [`raise`](Self::raise) and
+    /// [`pack_dimmed`](Self::pack_dimmed).
     #[inline(always)]
     fn dim(color: Color) -> Color {
         color
     }
 
+    /// What is added to a colour between [dimmed](Self::dim) ones before it is packed, for
+    /// thresholds as [`pack_dithered`](Self::pack_dithered) takes them.
+    #[inline(always)]
+    fn raise(_thresholds: u32) -> Color {
+        Color::NOTHING
+    }
+
     /// As [`pack_dithered`](Self::pack_dithered), of a colour between [dimmed](Self::dim) ones:
     /// what can be done at the corners is not done at the pixels.
     #[inline(always)]
-    fn pack_dimmed(color: Color, _thresholds: u32) -> Self::Raw {
-        Self::pack(color)
+    fn pack_dimmed(color: Color, thresholds: u32) -> Self::Raw {
+        let Color { blue_red, green } = Self::raise(thresholds);
+        Self::pack(Color {
+            blue_red: color.blue_red.wrapping_add(blue_red),
+            green: color.green.wrapping_add(green),
+        })
     }
 }

@@ -34,6 +34,9 @@ impl Color {
     /// Full alpha, in the lower half of [`green`](Self::green).
     pub const OPAQUE: u32 = 0xFFFF;
 
+    /// Nothing, to be added.
+    pub(crate) const NOTHING: Self = Self { blue_red: 0, green: 0 };
+
     /// The opaque colour of three 8-bit channels.
     pub const fn new(r: u8, g: u8, b: u8) -> Self {
         Self::from_rgb16(Rgb16::from_rgb(Rgb::new(r, g, b)))

@@ -50,17 +50,18 @@ impl Rgb565 {
     pub(super) const fn dithered(color: Color, thresholds: u32) -> u16 {
         let blue_red = (color.blue_red >> 8 & EIGHTS).wrapping_mul(RED_BLUE);
         let green = (color.green >> 24).wrapping_mul(GREEN << 16);
-        Self::raised(Color { blue_red, green }, thresholds)
+        let raise = Self::threshold(thresholds);
+        Self::encode(Color {
+            blue_red: blue_red.wrapping_add(raise.blue_red),
+            green: green.wrapping_add(raise.green),
+        })
     }
 
-    /// The stored value under dither of a colour that is brought down to steps already.
+    /// Thresholds in steps of each channel.
     #[inline(always)]
-    pub(super) const fn raised(color: Color, thresholds: u32) -> u16 {
+    pub(super) const fn threshold(thresholds: u32) -> Color {
         let thresholds = thresholds & EIGHTS;
-        Self::encode(Color {
-            blue_red: color.blue_red.wrapping_add(thresholds << 3),
-            green: color.green.wrapping_add(thresholds << 18),
-        })
+        Color { blue_red: thresholds << 3, green: thresholds << 18 }
     }
 
     /// What [`dithered`](Self::dithered) does with a colour of eight bits, done with its fraction
@@ -127,8 +128,8 @@ impl Format for Rgb565 {
     }
 
     #[inline(always)]
-    fn pack_dimmed(color: Color, thresholds: u32) -> u16 {
-        Self::raised(color, thresholds)
+    fn raise(thresholds: u32) -> Color {
+        Self::threshold(thresholds)
     }
 }
 

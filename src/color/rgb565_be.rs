@@ -53,8 +53,8 @@ impl Format for Rgb565Be {
     }
 
     #[inline(always)]
-    fn pack_dimmed(color: Color, thresholds: u32) -> u16 {
-        Rgb565::raised(color, thresholds).to_be()
+    fn raise(thresholds: u32) -> Color {
+        Rgb565::threshold(thresholds)
     }
 }
 

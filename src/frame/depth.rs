@@ -12,15 +12,18 @@ pub struct DepthBuffer<'a> {
     pub(super) stride: usize,
 }
 
-/// Whether a pass touches depth: [`Untouched`] or [`ReadWrite`].
+/// What a pass touches beside colours: nothing ([`Untouched`]), depth ([`ReadWrite`]), or stencil
+/// values too ([`WithStencil`](super::WithStencil)).
 ///
-/// It gives the type of one row of depth, which the pixel loop walks beside the colours.
+/// It gives the type of one row of cells, which the pixel loop walks beside the colours.
 pub trait DepthAccess {
-    /// Whether depth is touched at all.
+    /// Whether anything is touched at all.
     const TOUCHES: bool;
-    /// A row of depth.
+    /// Whether depth is.
+    const HAS_DEPTH: bool;
+    /// A row of cells.
     type Cells<'a>;
-    /// One pixel's depth.
+    /// What one pixel has.
     type Cell<'a>;
     /// Walks a row.
     type Iter<'a>: Iterator<Item = Self::Cell<'a>>;
@@ -52,6 +55,7 @@ pub struct ReadWrite;
 
 impl DepthAccess for Untouched {
     const TOUCHES: bool = false;
+    const HAS_DEPTH: bool = false;
     type Cells<'a> = ();
     type Cell<'a> = ();
     type Iter<'a> = Repeat<()>;
@@ -82,6 +86,7 @@ impl DepthAccess for Untouched {
 
 impl DepthAccess for ReadWrite {
     const TOUCHES: bool = true;
+    const HAS_DEPTH: bool = true;
     type Cells<'a> = &'a mut [u16];
     type Cell<'a> = &'a mut u16;
     type Iter<'a> = IterMut<'a, u16>;
@@ -116,18 +121,21 @@ impl DepthAccess for ReadWrite {
     }
 }
 
-/// What a frame can give to a pass: a frame with depth serves every pass, one without serves
-/// those that do not touch it. A pass with a depth test on a frame without depth does not compile.
+/// What a frame can give to a pass: a frame with depth serves every pass without a stencil, one
+/// without depth serves those that do not touch it. A pass with a depth test on a frame without
+/// depth does not compile, nor does one with a stencil on a frame without that.
 pub trait Supplies<A: DepthAccess> {
     /// `length` columns of held row `row` from `left` on; `None` where the buffer does not reach.
     fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<A::Cells<'_>>;
 
-    /// From cell number `from` on, `length` of them, whatever rows they are in; `None` where there
-    /// are fewer.
-    fn run(&mut self, from: usize, length: usize) -> Option<A::Cells<'_>>;
+    /// The first cells, so many of them, whatever rows they are in; `None` where there are fewer.
+    fn run(&mut self, length: usize) -> Option<A::Cells<'_>>;
 
-    /// How many cells there are, and from one row to the next; `None` without depth.
-    fn extent(&self) -> Option<(usize, usize)>;
+    /// How many cells there are; `usize::MAX` of what is not touched.
+    fn length(&self) -> usize;
+
+    /// Whether rows start so many cells apart.
+    fn has_stride(&self, stride: usize) -> bool;
 }
 
 impl Supplies<Untouched> for NoDepth {
@@ -137,13 +145,18 @@ impl Supplies<Untouched> for NoDepth {
     }
 
     #[inline(always)]
-    fn run(&mut self, _from: usize, _length: usize) -> Option<()> {
+    fn run(&mut self, _length: usize) -> Option<()> {
         Some(())
     }
 
     #[inline(always)]
-    fn extent(&self) -> Option<(usize, usize)> {
-        None
+    fn length(&self) -> usize {
+        usize::MAX
+    }
+
+    #[inline(always)]
+    fn has_stride(&self, _stride: usize) -> bool {
+        true
     }
 }
 
@@ -154,13 +167,18 @@ impl Supplies<Untouched> for DepthBuffer<'_> {
     }
 
     #[inline(always)]
-    fn run(&mut self, _from: usize, _length: usize) -> Option<()> {
+    fn run(&mut self, _length: usize) -> Option<()> {
         Some(())
     }
 
     #[inline(always)]
-    fn extent(&self) -> Option<(usize, usize)> {
-        None
+    fn length(&self) -> usize {
+        usize::MAX
+    }
+
+    #[inline(always)]
+    fn has_stride(&self, _stride: usize) -> bool {
+        true
     }
 }
 
@@ -172,12 +190,17 @@ impl Supplies<ReadWrite> for DepthBuffer<'_> {
     }
 
     #[inline(always)]
-    fn run(&mut self, from: usize, length: usize) -> Option<&mut [u16]> {
-        self.codes.get_mut(from..)?.get_mut(..length)
+    fn run(&mut self, length: usize) -> Option<&mut [u16]> {
+        self.codes.get_mut(..length)
     }
 
     #[inline(always)]
-    fn extent(&self) -> Option<(usize, usize)> {
-        Some((self.codes.len(), self.stride))
+    fn length(&self) -> usize {
+        self.codes.len()
+    }
+
+    #[inline(always)]
+    fn has_stride(&self, stride: usize) -> bool {
+        self.stride == stride
     }
 }

@@ -32,6 +32,13 @@ pub enum FrameError {
         /// Codes that came.
         got: u32,
     },
+    /// The stencil buffer is too short.
+    Stencil {
+        /// Values needed.
+        needed: u32,
+        /// Values that came.
+        got: u32,
+    },
     /// The band does not lie inside the picture.
     Band {
         /// Rows that the picture would need.
@@ -56,6 +63,9 @@ impl fmt::Display for FrameError {
             }
             Self::Depth { needed, got } => {
                 write!(f, "the depth buffer needs {needed} codes and has {got}")
+            }
+            Self::Stencil { needed, got } => {
+                write!(f, "the stencil buffer needs {needed} values and has {got}")
             }
             Self::Band { needed, got } => {
                 write!(f, "the band needs a picture of {needed} rows, it has {got}")

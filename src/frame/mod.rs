@@ -1,4 +1,4 @@
-//! The caller's colour and depth buffers as one checked view.
+//! The caller's colour, depth and stencil buffers as one checked view.
 //!
 //! A [`Frame`] borrows its buffers, checks their lengths once and cannot fail from then on. It may
 //! show a whole picture, a part of a larger buffer (stride), or a band of rows of a taller picture
@@ -9,10 +9,12 @@ mod depth;
 mod error;
 mod rect;
 mod size;
+mod stencil;
 mod view;
 
 pub use depth::{DepthAccess, DepthBuffer, NoDepth, ReadWrite, Supplies, Untouched};
 pub use error::FrameError;
 pub use rect::Rect;
 pub use size::Size;
+pub use stencil::{StencilBuffer, WithStencil};
 pub use view::{Frame, MAX_SIDE};

@@ -1,11 +1,12 @@
-use super::depth::Supplies;
+use super::depth::{DepthAccess, Supplies};
 use super::{DepthBuffer, FrameError, NoDepth, Rect, Size};
 use crate::color::{fill_words, Color, Format};
 
 /// The longest side of a picture, in pixels: the square in which edge functions are exact.
 pub const MAX_SIDE: u16 = 8192;
 
-/// The caller's buffers as one checked view: colour in format `F`, and depth or none of it.
+/// The caller's buffers as one checked view: colour in format `F`, and depth or none of it, and
+/// stencil values or none of them.
 ///
 /// ```
 /// use microraster::{Frame, Rgb, Rgb565, Size};
@@ -21,13 +22,13 @@ pub const MAX_SIDE: u16 = 8192;
 /// Checks happen in the constructors; drawing takes slices that cannot be out of bounds and skips
 /// what would be, so that no panic path is linked.
 pub struct Frame<'a, F: Format, D = NoDepth> {
-    pixels: &'a mut [F::Raw],
-    depth: D,
-    stride: usize,
-    size: Size,
-    first_row: u16,
-    picture_height: u16,
-    scissor: Rect,
+    pub(super) pixels: &'a mut [F::Raw],
+    pub(super) depth: D,
+    pub(super) stride: usize,
+    pub(super) size: Size,
+    pub(super) first_row: u16,
+    pub(super) picture_height: u16,
+    pub(super) scissor: Rect,
 }
 
 impl<F: Format, D: core::fmt::Debug> core::fmt::Debug for Frame<'_, F, D> {
@@ -42,19 +43,18 @@ impl<F: Format, D: core::fmt::Debug> core::fmt::Debug for Frame<'_, F, D> {
     }
 }
 
-/// Colours, depths, and the number of a pixel in both.
-type AllPixels<'a, F, A> =
-    (&'a mut [<F as Format>::Raw], <A as super::DepthAccess>::Cells<'a>, usize);
+/// Colours, cells, and the number of a pixel in both.
+type AllPixels<'a, F, A> = (&'a mut [<F as Format>::Raw], <A as DepthAccess>::Cells<'a>, usize);
 
 /// How many elements rows of this stride span: the last row needs only its width.
-fn needed(size: Size, stride: u32) -> u32 {
+pub(super) fn needed(size: Size, stride: u32) -> u32 {
     stride
         .saturating_mul(u32::from(size.height).saturating_sub(1))
         .saturating_add(size.width.into())
 }
 
 /// A buffer's length, as far as a message needs it.
-fn length<T>(slice: &[T]) -> u32 {
+pub(super) fn length<T>(slice: &[T]) -> u32 {
     u32::try_from(slice.len()).unwrap_or(u32::MAX)
 }
 
@@ -139,7 +139,7 @@ impl<'a, F: Format> Frame<'a, F> {
     }
 }
 
-fn check_stride(size: Size, stride: u32) -> Result<(), FrameError> {
+pub(super) fn check_stride(size: Size, stride: u32) -> Result<(), FrameError> {
     if stride < u32::from(size.width) {
         return Err(FrameError::Stride { needed: size.width.into(), got: stride });
     }
@@ -209,6 +209,13 @@ impl<F: Format, D> Frame<'_, F, D> {
         Rect::new(0, top, self.size.width.into(), top + i32::from(self.size.height))
     }
 
+    /// The scissor in the rows that the frame holds, counted from its first.
+    pub(super) fn held_scissor(&self) -> Rect {
+        let (area, first) = (self.scissor, i32::from(self.first_row));
+        let (top, bottom) = (area.top.wrapping_sub(first), area.bottom.wrapping_sub(first));
+        Rect { top, bottom, ..area }
+    }
+
     /// Sets the colour of all pixels in the scissor; depth stays.
     pub fn clear_color(&mut self, color: impl Into<Color>) {
         let raw = F::pack(color.into());
@@ -265,47 +272,44 @@ impl<F: Format, D> Frame<'_, F, D> {
         (within && held).then_some(self.pixels.get(row)?)
     }
 
-    /// From one row to the next, in pixels and in cells of depth; the second is that of the first
-    /// without depth.
+    /// From one row to the next, in pixels.
     #[inline(always)]
-    pub(crate) fn strides<A: crate::frame::DepthAccess>(&self) -> (usize, usize)
+    pub(crate) fn stride(&self) -> usize {
+        self.stride
+    }
+
+    /// Whether rows of cells are as far apart as those of colour.
+    #[inline(always)]
+    pub(crate) fn has_one_stride<A: DepthAccess>(&self) -> bool
     where
         D: Supplies<A>,
     {
-        (self.stride, self.depth.extent().map_or(self.stride, |(_, stride)| stride))
+        self.depth.has_stride(self.stride)
     }
 
-    /// All colours and depths, as many of both, and the number of a pixel in them. Neighbours in
-    /// other rows are found by the [strides](Self::strides); where these differ, only the pixel
-    /// itself is right.
+    /// All colours and cells, as many of both, and the number of a pixel in them. Neighbours in
+    /// other rows are a [stride](Self::stride) away. Where rows of cells have
+    /// [another](Self::has_one_stride), it is the pixel alone.
     #[inline(always)]
-    pub(crate) fn all_from<A: crate::frame::DepthAccess>(
-        &mut self,
-        x: i32,
-        y: i32,
-    ) -> Option<AllPixels<'_, F, A>>
+    pub(crate) fn all_from<A: DepthAccess>(&mut self, x: i32, y: i32) -> Option<AllPixels<'_, F, A>>
     where
         D: Supplies<A>,
     {
         let row = self.held_row(y);
-        let (mut pixels, mut cells) = (0, 0);
         let at = row.wrapping_mul(self.stride).wrapping_add(x as usize);
-        let mut length = self.pixels.len();
-        if let Some((codes, stride)) = self.depth.extent() {
-            if stride != self.stride {
-                (pixels, cells) = (at, row.wrapping_mul(stride).wrapping_add(x as usize));
-            }
-            length = length.wrapping_sub(pixels).min(codes.wrapping_sub(cells));
+        if !self.depth.has_stride(self.stride) {
+            let cells = self.depth.cells(row, x as usize, 1)?;
+            return Some((self.pixels.get_mut(at..)?.get_mut(..1)?, cells, 0));
         }
-        let cells = self.depth.run(cells, length)?;
-        let pixels_from = self.pixels.get_mut(pixels..)?.get_mut(..length)?;
-        Some((pixels_from, cells, at.wrapping_sub(pixels)))
+        let length = self.pixels.len().min(self.depth.length());
+        let cells = self.depth.run(length)?;
+        Some((self.pixels.get_mut(..length)?, cells, at))
     }
 
-    /// Colours and depth of columns `left..right` of picture row `y`; `None` where the frame does
+    /// Colours and cells of columns `left..right` of picture row `y`; `None` where the frame does
     /// not reach.
     #[inline(always)]
-    pub(crate) fn row_with_depth<A: crate::frame::DepthAccess>(
+    pub(crate) fn row_with_depth<A: DepthAccess>(
         &mut self,
         y: i32,
         left: i32,
@@ -340,26 +344,39 @@ impl<F: Format> Frame<'_, F, DepthBuffer<'_>> {
 
     /// Sets the depth code of all pixels in the scissor: 0 is farthest, 65535 nearest.
     pub fn clear_depth(&mut self, code: u16) {
-        let area = self.scissor;
-        let word = u32::from(code) * 0x0001_0001;
-        let whole_rows = area.left == 0 && area.right == i32::from(self.size.width);
-        if whole_rows && self.depth.stride == usize::from(self.size.width) {
-            let stride = self.depth.stride;
-            let (top, bottom) = (self.held_row(area.top), self.held_row(area.bottom));
-            let run = top.wrapping_mul(stride)..bottom.wrapping_mul(stride);
-            if let Some(run) = self.depth.codes.get_mut(run) {
-                fill_words(run, code, word);
-            }
-            return;
+        let area = self.held_scissor();
+        clear_codes(&mut self.depth, area, code);
+    }
+}
+
+/// Sets the codes in an area of held rows.
+pub(super) fn clear_codes(depth: &mut DepthBuffer<'_>, area: Rect, code: u16) {
+    clear_cells(depth.codes, depth.stride, area, |cells| {
+        fill_words(cells, code, u32::from(code) * 0x0001_0001);
+    });
+}
+
+/// Fills an area of held rows: whole rows without gaps at once.
+#[inline(always)]
+pub(super) fn clear_cells<T>(
+    cells: &mut [T],
+    stride: usize,
+    area: Rect,
+    mut fill: impl FnMut(&mut [T]),
+) {
+    let (left, width) = (area.left as usize, area.width() as usize);
+    if width == stride {
+        let run =
+            (area.top as usize).wrapping_mul(stride)..(area.bottom as usize).wrapping_mul(stride);
+        if let Some(run) = cells.get_mut(run) {
+            fill(run);
         }
-        for y in area.top..area.bottom {
-            let row = self.held_row(y);
-            let (left, length) = (area.left as usize, area.width() as usize);
-            if let Some(cells) =
-                Supplies::<super::ReadWrite>::cells(&mut self.depth, row, left, length)
-            {
-                fill_words(cells, code, word);
-            }
+        return;
+    }
+    for row in area.top..area.bottom {
+        let start = (row as usize).wrapping_mul(stride).wrapping_add(left);
+        if let Some(cells) = cells.get_mut(start..start.wrapping_add(width)) {
+            fill(cells);
         }
     }
 }

@@ -59,7 +59,11 @@ fn move_away(plane: &mut Plane, triangle: &Triangle, by: i64) {
 impl<V: Varying> Fill<'_, V> {
     /// The plane of the depth codes under a test.
     #[inline(always)]
-    fn depth_plane(&self, gradients: &Gradients, depth: &impl DepthTest) -> Plane {
+    fn depth_plane<const MOVES: bool>(
+        &self,
+        gradients: &Gradients,
+        depth: &impl DepthTest,
+    ) -> Plane {
         let plane = |triangle: &Triangle| {
             if depth.is_constant() {
                 mean_depth_plane(triangle)
@@ -77,18 +81,56 @@ impl<V: Varying> Fill<'_, V> {
             triangle = &mapped;
         }
         let mut plane = plane(triangle);
-        let offset = depth.offset(plane.dx.cast_signed(), plane.dy.cast_signed());
-        if offset != 0 {
-            move_away(&mut plane, triangle, offset);
+        if MOVES {
+            let offset = depth.offset(plane.dx.cast_signed(), plane.dy.cast_signed());
+            if offset != 0 {
+                move_away(&mut plane, triangle, offset);
+            }
         }
         plane
     }
 
     /// Draws the triangle's pixels: those of `batch` and all that `walk` still finds.
-    ///
+    #[inline(always)]
+    pub(super) fn draw<H, S, F, D, W>(
+        &self,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        shader: &H,
+        walk: &mut W,
+        batch: &mut SpanBatch,
+    ) where
+        W: SpanWalk,
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        self.draw_all::<true, H, S, F, D, W>(frame, state, shader, walk, batch);
+    }
+
+    /// The same without a polygon offset: for lines.
+    #[inline(always)]
+    pub(super) fn draw_unmoved<H, S, F, D, W>(
+        &self,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        shader: &H,
+        walk: &mut W,
+        batch: &mut SpanBatch,
+    ) where
+        W: SpanWalk,
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        self.draw_all::<false, H, S, F, D, W>(frame, state, shader, walk, batch);
+    }
+
     /// One copy of this, with the pixel loop inlined, is what a shader and state cost in flash.
     #[inline(never)]
-    pub(super) fn draw<H, S, F, D, W>(
+    fn draw_all<const MOVES: bool, H, S, F, D, W>(
         &self,
         frame: &mut Frame<'_, F, D>,
         state: &mut S,
@@ -105,8 +147,8 @@ impl<V: Varying> Fill<'_, V> {
         // What neither depth nor varyings ask for is not computed.
         let gradients =
             if V::INTERPOLATED { Gradients::new(self.triangle) } else { Gradients::NONE };
-        let z_plane = if <Access<S>>::TOUCHES {
-            self.depth_plane(&gradients, state.parts().0)
+        let z_plane = if <Access<S>>::HAS_DEPTH {
+            self.depth_plane::<MOVES>(&gradients, state.parts().0)
         } else {
             Plane::default()
         };

@@ -10,6 +10,7 @@ mod cache;
 mod clip;
 mod clipper;
 mod cull;
+mod draw;
 mod fill;
 mod line;
 mod mapping;

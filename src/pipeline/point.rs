@@ -4,7 +4,9 @@ use super::fill::Access;
 use crate::color::Format;
 use crate::frame::{DepthAccess, Frame, Rect, Size, Supplies};
 use crate::raster::{PointSquare, ScreenVertex};
-use crate::shade::{Corner, Counter, Event, Fragments, Row, State, Varying};
+use crate::shade::{
+    ColorOutput, Corner, Counter, DepthTest, Event, Fragments, Row, State, Varying,
+};
 
 /// Draws a point of `size` sixteenths of a pixel.
 #[inline(always)]
@@ -33,6 +35,8 @@ where
     }
     let Rect { left, right, bottom, .. } = pixels;
     let (depth, output, counter) = state.parts();
+    let corner =
+        if H::COLOR_AS_IS && output.dims() { &H::Varying::dim::<F>(corner) } else { corner };
     let mut y = pixels.top;
     while y < bottom {
         let Some((pixels, cells)) = frame.row_with_depth::<Access<S>>(y, left, right) else {
@@ -44,7 +48,7 @@ where
             y,
             pixels,
             cells,
-            z: u32::from(vertex.z) << 16 | 0x8000,
+            z: depth.corner(vertex.z),
             z_step: 0,
             varying,
             step,
@@ -55,15 +59,6 @@ where
         y = y.wrapping_add(1);
     }
     Event::Drawn
-}
-
-/// Whether rows of colour are as long as those of depth.
-#[inline(always)]
-pub(super) fn has_one_stride<S: State, F: Format, D: Supplies<Access<S>>>(
-    frame: &Frame<'_, F, D>,
-) -> bool {
-    let (stride, cell_stride) = frame.strides::<Access<S>>();
-    stride == cell_stride
 }
 
 /// Draws points of one pixel each, in a frame with one stride: what does not depend on the point is
@@ -88,7 +83,7 @@ pub(super) fn single_points<'t, H, S, F, D>(
 {
     let Rect { left, top, right, bottom } = *area;
     let (width, height) = (right.wrapping_sub(left), bottom.wrapping_sub(top));
-    let (stride, _) = frame.strides::<Access<S>>();
+    let stride = frame.stride();
     let (depth, output, counter) = state.parts();
     let Some((pixels, mut cells, first)) = frame.all_from::<Access<S>>(left, top) else { return };
     for (vertex, corner) in points {
@@ -108,6 +103,8 @@ pub(super) fn single_points<'t, H, S, F, D>(
         let at = at.wrapping_add(column as usize);
         let Some(pixel) = pixels.get_mut(at) else { return };
         let Some(cells) = <Access<S>>::one(&mut cells, at) else { return };
+        let corner =
+            if H::COLOR_AS_IS && output.dims() { &H::Varying::dim::<F>(corner) } else { corner };
         let square = PointSquare::new(vertex, 16);
         let (varying, step) = H::Varying::on_point(corner, &square, x, y);
         shader.span(Row::<S, F, H::Varying> {
@@ -115,7 +112,7 @@ pub(super) fn single_points<'t, H, S, F, D>(
             y,
             pixels: core::slice::from_mut(pixel),
             cells,
-            z: u32::from(vertex.z) << 16 | 0x8000,
+            z: depth.corner(vertex.z),
             z_step: 0,
             varying,
             step,

@@ -1,6 +1,6 @@
 use super::fill::{Access, Fill, Walk};
 use super::line::{LineDraw, Outcome};
-use super::point::{draw_point, has_one_stride, single_points};
+use super::point::{draw_point, single_points};
 use super::{Cull, CulledWindings, LineStyle, Winding};
 use crate::color::Format;
 use crate::frame::{Frame, Size, Supplies};
@@ -247,7 +247,7 @@ impl<S: State> ScreenPass<S> {
         let prepared = &shader.prepare(&context(picture));
         let bound = &Bound { shader, prepared };
         let state = &mut self.state;
-        if size == 1 && has_one_stride::<S, F, D>(frame) {
+        if size == 1 && frame.has_one_stride::<Access<S>>() {
             single_points(frame, state, bound, picture, &area, points);
             return;
         }

@@ -61,6 +61,6 @@ impl<C: Coloring> Shader for Gouraud<C> {
 
     #[inline(always)]
     fn span<S: State, F: Format>(&self, _: &Self::Prepared, row: Row<'_, S, F, SmoothColor>) {
-        row.each_as_is(|varying| varying.color());
+        row.each_as_is();
     }
 }

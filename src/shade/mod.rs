@@ -6,6 +6,7 @@
 
 mod coloring;
 mod constant;
+mod cutout;
 mod flat;
 mod flat_color;
 mod fog;
@@ -23,6 +24,7 @@ mod scalars;
 mod shader;
 mod smooth_color;
 mod solid;
+mod sprite;
 mod state;
 mod textured;
 mod unlit;
@@ -32,6 +34,7 @@ mod vertex_colors;
 
 pub use coloring::Coloring;
 pub use constant::Constant;
+pub use cutout::Cutout;
 pub use flat::Flat;
 pub use flat_color::FlatColor;
 pub use fog::{Fog, FogDepth};
@@ -57,12 +60,15 @@ pub(crate) use shader::Bound;
 pub use shader::{DrawContext, Fragments, Shader, VertexInput};
 pub use smooth_color::{SmoothColor, SmoothColorPlanes};
 pub use solid::Solid;
+pub use sprite::Sprite;
 pub use state::{
-    Add, AllChannels, Alpha, Always, AnyBlend, AnyDepth, AnyDepthState, AnyDither, AnyMask,
-    Average, Blend, Channels, ColorMask, ColorOutput, ConstantAlpha, ConstantDepth, Counter,
-    Counting, DepthRange, DepthTest, Dither, Dither4, Dither8, Equal, Event, Greater, GreaterEqual,
-    Less, LessEqual, Multiply, NotEqual, Off, Output, PolygonOffset, Premultiplied, ReadOnly,
-    Replace, State, States, Stats, Subtract, Uncounted, Undithered,
+    Add, AllChannels, Alpha, Always, AnyBlend, AnyCompare, AnyDepth, AnyDepthState, AnyDither,
+    AnyMask, AnyOperation, AnyStencil, Average, Blend, Channels, ColorMask, ColorOutput,
+    ConstantAlpha, ConstantDepth, Counter, Counting, DecrementClamp, DecrementWrap, DepthRange,
+    DepthTest, Dither, Dither4, Dither8, Equal, Event, Greater, GreaterEqual, IncrementClamp,
+    IncrementWrap, Invert, Keep, Less, LessEqual, Multiply, Never, NotEqual, Off, Output,
+    PolygonOffset, Premultiplied, ReadOnly, Replace, State, States, Stats, Stencil, StencilCompare,
+    StencilOperation, Stenciled, Subtract, TestCell, Uncounted, Undithered, Verdict, Zero,
 };
 pub use textured::Textured;
 pub use unlit::Unlit;

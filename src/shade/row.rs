@@ -1,4 +1,4 @@
-use super::{Blend, ColorOutput, Counter, DepthTest, Dither, State, Stepped};
+use super::{Blend, ColorOutput, Counter, DepthTest, Dither, SmoothColor, State, Stepped, Verdict};
 use crate::color::{Color, Format};
 use crate::frame::DepthAccess;
 
@@ -72,7 +72,7 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     }
 
     /// Calls `fragment` for each pixel that passes the depth test and stores what it gives;
-    /// `None` discards: neither colour nor depth is written.
+    /// `None` discards: neither colour nor depth is written, nor a stencil value.
     ///
     /// # Cost
     /// 17 instructions a pixel on Cortex-M4 with depth and an interpolated colour; the closure is
@@ -85,19 +85,6 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         } else {
             self.place(fragment);
         }
-    }
-
-    /// The same for the colour that the varying carries, as it is: for shaders that say
-    /// [`COLOR_AS_IS`](super::Shader::COLOR_AS_IS). Costs less than [`each`](Self::each) where
-    /// colours are dithered.
-    #[inline(always)]
-    pub fn each_as_is(self, color: impl Fn(&V) -> Color) {
-        if S::Output::PLAIN {
-            return self.each(|varying| Some(color(varying)));
-        }
-        let output = self.output;
-        let dimmed = output.dims();
-        self.walk(dimmed, |varying| Some(output.blend().source::<F>(color(varying))));
     }
 
     /// The same for pixels that are packed already: for a shader that takes its colours from a
@@ -114,13 +101,14 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         let Self { pixels, cells, mut z, z_step, mut varying, step, depth, counter, .. } = self;
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
-            if depth.passes(code, <Access<S>>::read(&cell)) {
+            let verdict = depth.verdict(code, &cell);
+            if verdict != Verdict::Fails {
                 if let Some(raw) = fragment(&varying) {
-                    if depth.writes() {
-                        <Access<S>>::write(cell, code);
+                    depth.leave(verdict, code, cell);
+                    if verdict == Verdict::Passes {
+                        *pixel = raw;
+                        counter.pixels(1);
                     }
-                    *pixel = raw;
-                    counter.pixels(1);
                 }
             }
             z = z.wrapping_add(z_step);
@@ -136,25 +124,26 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     #[inline(always)]
     fn place(self, mut fragment: impl FnMut(&V) -> Option<Color>) {
         let output = self.output;
-        self.walk(false, |varying| Some(output.blend().source::<F>(fragment(varying)?)));
+        self.walk(|varying| Some(output.blend().source::<F>(fragment(varying)?)));
     }
 
     /// The pixel loop where what is stored counts, or the place: `source` gives what is to be
-    /// blended, of colours that are [dimmed](Format::dim) or not.
+    /// blended.
     #[inline(always)]
-    fn walk(self, dimmed: bool, mut source: impl FnMut(&V) -> Option<Source<S>>) {
+    fn walk(self, mut source: impl FnMut(&V) -> Option<Source<S>>) {
         let Self { x, y, pixels, cells, mut z, z_step, mut varying, step, depth, output, counter } =
             self;
         let mut thresholds = output.dither().thresholds(x, y);
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
-            if depth.passes(code, <Access<S>>::read(&cell)) {
+            let verdict = depth.verdict(code, &cell);
+            if verdict != Verdict::Fails {
                 if let Some(source) = source(&varying) {
-                    if depth.writes() {
-                        <Access<S>>::write(cell, code);
+                    depth.leave(verdict, code, cell);
+                    if verdict == Verdict::Passes {
+                        *pixel = output.pixel::<F>(&source, pixel, &thresholds);
+                        counter.pixels(1);
                     }
-                    *pixel = output.pixel::<F>(&source, pixel, &thresholds, dimmed);
-                    counter.pixels(1);
                 }
             }
             z = z.wrapping_add(z_step);
@@ -178,13 +167,74 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
             self.each(|_| Some(color));
         } else if <Access<S>>::TOUCHES {
             let source = output.blend().source::<F>(color);
-            self.walk(false, |_| Some(source));
+            self.walk(|_| Some(source));
         } else {
             self.counter.pixels(u32::try_from(self.pixels.len()).unwrap_or(u32::MAX));
             match self.pixels {
                 // Where it is known that there is but one, nothing is called.
                 [pixel] if S::Output::PLAIN => *pixel = F::pack(color),
                 pixels => output.fill::<F>(pixels, color, self.x, self.y),
+            }
+        }
+    }
+}
+
+impl<S: State, F: Format> Row<'_, S, F, SmoothColor> {
+    /// Stores the interpolated colour, as it is, in each pixel that passes the depth test: for
+    /// shaders that say [`COLOR_AS_IS`](super::Shader::COLOR_AS_IS).
+    ///
+    /// # Cost
+    /// That of [`each`](Self::each), but where colours are dithered and not blended: thresholds are
+    /// part of the colour's steps then, of which there are as many as columns of the matrix.
+    #[inline(always)]
+    pub fn each_as_is(self) {
+        if S::Output::PLAIN {
+            self.each(|varying| Some(varying.color()));
+        } else if self.output.dims() {
+            self.raised();
+        } else {
+            self.place(|varying| Some(varying.color()));
+        }
+    }
+
+    /// The pixel loop of colours that are [dimmed](Format::dim), and dithered.
+    #[inline(always)]
+    fn raised(self) {
+        let Self { x, y, pixels, cells, mut z, z_step, varying, step, depth, output, counter } =
+            self;
+        let mut thresholds = output.dither().thresholds(x, y);
+        let raise = |thresholds: &<OutputDither<S> as Dither>::Thresholds| {
+            <OutputDither<S>>::first(thresholds).map_or(Color::NOTHING, F::raise)
+        };
+        let mut here = raise(&thresholds);
+        let mut varying = varying;
+        varying.step(&(here.blue_red, here.green));
+        // From each column's threshold to the next one's: no more of them than there are pixels.
+        let mut steps = <OutputDither<S> as Dither>::Steps::default();
+        for place in steps.as_mut().iter_mut().take(pixels.len()) {
+            <OutputDither<S>>::step(&mut thresholds);
+            let next = raise(&thresholds);
+            *place = (
+                step.0.wrapping_add(next.blue_red).wrapping_sub(here.blue_red),
+                step.1.wrapping_add(next.green).wrapping_sub(here.green),
+            );
+            here = next;
+        }
+        let mut row = pixels.iter_mut().zip(<Access<S>>::iter(cells));
+        loop {
+            for step in steps.as_ref() {
+                let Some((pixel, cell)) = row.next() else { return };
+                let code = (z >> 16) as u16;
+                let verdict = depth.verdict(code, &cell);
+                if verdict != Verdict::Fails {
+                    depth.leave(verdict, code, cell);
+                    if verdict == Verdict::Passes {
+                        *pixel = output.masked::<F>(F::pack(varying.color()), pixel);
+                        counter.pixels(1);
+                    }
+                }
+                z = z.wrapping_add(z_step);
+                varying.step(step);
             }
         }
     }

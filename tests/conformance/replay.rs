@@ -78,7 +78,7 @@ impl Words {
             Self::Rgb565(words) => Texture::new(words, width, height).map(AnyTexture::Rgb565),
             Self::Rgba8888(words) => Texture::new(words, width, height).map(AnyTexture::Rgba8888),
         };
-        let filter = if texels.is_linear { AnyFilter::Bilinear } else { AnyFilter::Nearest };
+        let filter = if texels.is_linear { AnyFilter::FineBilinear } else { AnyFilter::Nearest };
         let wrap = if texels.repeats { AnyWrap::Repeat } else { AnyWrap::Clamp };
         let texture = texture.expect("texels for its size");
         let sampler = AnySampler::new(texture, filter, wrap, wrap);

@@ -2,11 +2,15 @@
 //! where they are, nothing snapped, nothing shared with the crate but matrices and numbers.
 
 use microraster::math::{Mat4, Vec3};
-use microraster::{AnyDepth, Cull, Rgb, Size, Topology, Winding};
+use microraster::{
+    AnyBlend, AnyCompare, AnyDepth, AnyOperation, Cull, Rgb, Size, Topology, Winding,
+};
 
 use crate::scenes::golden::render::{AMBIENT, MATERIAL, SUN, SUN_COLOR, TONES, TOWARDS_LIGHT};
 use crate::scenes::golden::shapes::Attributes;
-use crate::scenes::golden::{Draw, Kind, MeshDraw, Picture, ScreenCorner, ScreenDraw, Shade};
+use crate::scenes::golden::{
+    Draw, FragmentState, Kind, MeshDraw, Picture, ScreenCorner, ScreenDraw, Shade,
+};
 
 type Color = [f64; 3];
 
@@ -18,6 +22,7 @@ pub(crate) struct Canvas {
     look: [f64; 2],
     pub(crate) colors: Vec<Color>,
     codes: Vec<f64>,
+    stencil: Vec<u8>,
 }
 
 fn channels(color: Rgb) -> Color {
@@ -45,6 +50,22 @@ fn columns(m: &Mat4) -> [[f64; 4]; 4] {
 fn transform(m: &Mat4, [x, y, z, w]: [f64; 4]) -> [f64; 4] {
     let [a, b, c, d] = columns(m);
     [0, 1, 2, 3].map(|i| a[i] * x + b[i] * y + c[i] * z + d[i] * w)
+}
+
+/// One channel of an opaque colour over a stored one, 0 to 255.
+fn mixed(blend: AnyBlend, source: f64, stored: f64) -> f64 {
+    match blend {
+        AnyBlend::Replace => source,
+        AnyBlend::ConstantAlpha(alpha) => {
+            let alpha = f64::from(alpha) / 255.0;
+            source * alpha + stored * (1.0 - alpha)
+        }
+        AnyBlend::Add => source + stored,
+        AnyBlend::Multiply => source * stored / 255.0,
+        AnyBlend::Subtract => stored - source,
+        AnyBlend::Average => (source + stored) / 2.0,
+        other => panic!("no picture uses {other:?}"),
+    }
 }
 
 /// What a triangle's pixels are coloured by.
@@ -89,6 +110,7 @@ impl Canvas {
             look,
             colors: vec![background; pixels],
             codes: vec![0.0; pixels],
+            stencil: vec![0; pixels],
         };
         for draw in picture.draws {
             match draw {
@@ -99,9 +121,25 @@ impl Canvas {
         canvas
     }
 
-    /// Tests a pixel's depth and sets it.
-    fn set(&mut self, i: usize, test: AnyDepth, code: f64, color: Color) {
-        let (new, old) = (code.round(), self.codes[i]);
+    /// Tests a pixel's stencil value and depth, and sets it.
+    fn set(
+        &mut self,
+        i: usize,
+        test: AnyDepth,
+        state: Option<FragmentState>,
+        code: f64,
+        color: Color,
+    ) {
+        let FragmentState { blend, range, stencil, .. } = state.unwrap_or(FragmentState::PLAIN);
+        let (compare, reference, on_pass) = stencil;
+        let (farthest, nearest) = (f64::from(range.0), f64::from(range.1));
+        let new = (farthest + (nearest - farthest) * code / 65_535.0).round();
+        let old = self.codes[i];
+        let is_let_through = match compare {
+            AnyCompare::Always => true,
+            AnyCompare::Equal => reference == self.stencil[i],
+            other => panic!("no picture uses {other:?}"),
+        };
         let passes = match test {
             AnyDepth::Off | AnyDepth::Always => true,
             AnyDepth::Less => new > old,
@@ -109,12 +147,20 @@ impl Canvas {
             AnyDepth::Greater => new < old,
             other => panic!("no picture uses {other:?}"),
         };
-        if passes {
-            self.colors[i] = color;
-            if test != AnyDepth::Off {
-                self.codes[i] = new;
-            }
+        if !(is_let_through && passes) {
+            return;
         }
+        let stored = self.colors[i];
+        self.colors[i] = [0, 1, 2].map(|k| mixed(blend, color[k], stored[k]).clamp(0.0, 255.0));
+        if test != AnyDepth::Off {
+            self.codes[i] = new;
+        }
+        self.stencil[i] = match on_pass {
+            AnyOperation::Keep => self.stencil[i],
+            AnyOperation::Replace => reference,
+            AnyOperation::IncrementWrap => self.stencil[i].wrapping_add(1),
+            other => panic!("no picture uses {other:?}"),
+        };
     }
 
     fn mesh(&mut self, draw: &MeshDraw) {
@@ -164,13 +210,38 @@ impl Canvas {
         }
         let edges = [cross(b, c), cross(c, a), cross(a, b)];
         let [left, top, width, height] = stage.viewport;
+        // The code's change from pixel to pixel, and by how much the triangle is moved away.
+        let slope = |axis: usize, side: f64| {
+            let change = [0, 1, 2].map(|k| edges[k][axis] / determinant * v[k][2]);
+            (change.iter().sum::<f64>() * 2.0 / side * 65_531.0).abs()
+        };
+        let (steepness, units) = stage.draw.fragments.unwrap_or(FragmentState::PLAIN).offset;
+        let steepest = slope(0, width).max(slope(1, height));
+        let away = steepest * steepness.to_num::<f64>() + f64::from(units);
+        // In front of the eye a triangle lies between its corners; most are small.
+        let is_before = v.iter().all(|corner| corner[3] > 0.0);
+        let reach = |axis: usize| {
+            let at = v.map(|corner| corner[axis] / corner[3]);
+            let (low, high) =
+                (at.iter().copied().fold(1.0, f64::min), at.iter().copied().fold(-1.0, f64::max));
+            if is_before {
+                (low - 1e-6, high + 1e-6)
+            } else {
+                (-1.0, 1.0)
+            }
+        };
+        let ((left_most, right_most), (lowest, highest)) = (reach(0), reach(1));
         for (i, (x, y)) in pixels(self.size) {
             if stage.draw.scissor.is_some_and(|s| !s.contains(x, y)) {
                 continue;
             }
             let ndc_x = (f64::from(x) + 0.5 + self.look[0] - left) / width * 2.0 - 1.0;
             let ndc_y = 1.0 - (f64::from(y) + 0.5 + self.look[1] - top) / height * 2.0;
+            let is_beside = ndc_x < left_most || ndc_x > right_most;
             if ndc_x.abs() > 1.0 || ndc_y.abs() > 1.0 {
+                continue;
+            }
+            if is_beside || ndc_y < lowest || ndc_y > highest {
                 continue;
             }
             // Weights of the point with w = 1 on the ray.
@@ -184,7 +255,8 @@ impl Canvas {
                 Paint::Constant(_) => weights,
                 _ => linear(v, weights),
             };
-            self.set(i, stage.draw.depth, 2.0 + 65_531.0 * z, paint.at(linear));
+            let code = 2.0 + 65_531.0 * z - away;
+            self.set(i, stage.draw.depth, stage.draw.fragments, code, paint.at(linear));
         }
     }
 
@@ -204,19 +276,19 @@ impl Canvas {
                             [area(v[1], v[2], at), area(v[2], v[0], at), area(v[0], v[1], at)];
                         let weights = parts.map(|part| part / whole);
                         if weights.iter().all(|weight| *weight >= 0.0) {
-                            self.mix(i, draw.depth, triangle, weights);
+                            self.mix(i, (draw.depth, draw.fragments), triangle, weights);
                         }
                     }
                 }
             }
             Kind::Lines => {
                 for line in corners.chunks_exact(2) {
-                    self.line(draw.depth, line, 1, |_| true);
+                    self.line((draw.depth, draw.fragments), line, 1, |_| true);
                 }
             }
             Kind::Wide(width) => {
                 for line in corners.chunks_exact(2) {
-                    self.line(draw.depth, line, width.into(), |_| true);
+                    self.line((draw.depth, draw.fragments), line, width.into(), |_| true);
                 }
             }
             Kind::Stippled(pattern, factor) => {
@@ -225,7 +297,7 @@ impl Canvas {
                     let is_on = |pixel: usize| {
                         pattern >> ((before + pixel) / usize::from(factor) % 16) & 1 != 0
                     };
-                    before += self.line(draw.depth, line, 1, is_on);
+                    before += self.line((draw.depth, draw.fragments), line, 1, is_on);
                 }
             }
             Kind::Round(side) => {
@@ -233,7 +305,7 @@ impl Canvas {
                     for (i, [x, y]) in centers(size) {
                         let (dx, dy) = (x - f64::from(point.0), y - f64::from(point.1));
                         if dx.hypot(dy) < f64::from(side) * 8.0 {
-                            self.mix(i, draw.depth, &[*point], [1.0, 0.0, 0.0]);
+                            self.mix(i, (draw.depth, draw.fragments), &[*point], [1.0, 0.0, 0.0]);
                         }
                     }
                 }
@@ -247,7 +319,7 @@ impl Canvas {
                     };
                     for (i, [x, y]) in centers(size) {
                         if within(x, point.0) && within(y, point.1) {
-                            self.mix(i, draw.depth, &[*point], [1.0, 0.0, 0.0]);
+                            self.mix(i, (draw.depth, draw.fragments), &[*point], [1.0, 0.0, 0.0]);
                         }
                     }
                 }
@@ -258,7 +330,7 @@ impl Canvas {
     /// A line, copied across its longer side; how many pixels it has along that.
     fn line(
         &mut self,
-        depth: AnyDepth,
+        state: (AnyDepth, Option<FragmentState>),
         line: &[ScreenCorner],
         width: i32,
         is_on: impl Fn(usize) -> bool,
@@ -289,14 +361,20 @@ impl Canvas {
                 let (x, y) = if by_columns { (x, y + copy) } else { (x + copy, y) };
                 let (w, h) = (i32::from(self.size.width), i32::from(self.size.height));
                 if is_on(number) && (0..w).contains(&x) && (0..h).contains(&y) {
-                    self.mix((y * w + x) as usize, depth, line, [1.0 - t, t, 0.0]);
+                    self.mix((y * w + x) as usize, state, line, [1.0 - t, t, 0.0]);
                 }
             }
         }
         seen.len()
     }
 
-    fn mix(&mut self, i: usize, depth: AnyDepth, corners: &[ScreenCorner], weights: [f64; 3]) {
+    fn mix(
+        &mut self,
+        i: usize,
+        (depth, fragments): (AnyDepth, Option<FragmentState>),
+        corners: &[ScreenCorner],
+        weights: [f64; 3],
+    ) {
         let (mut code, mut color) = (0.0, [0.0; 3]);
         for (corner, weight) in corners.iter().zip(weights) {
             code += f64::from(corner.2) * weight;
@@ -304,7 +382,7 @@ impl Canvas {
                 *sum += channel * weight;
             }
         }
-        self.set(i, depth, code, color);
+        self.set(i, depth, fragments, code, color);
     }
 }
 
@@ -356,6 +434,9 @@ fn centers(size: Size) -> impl Iterator<Item = (usize, [f64; 2])> {
 
 /// How a triangle of a mesh is coloured.
 fn paint(draw: &MeshDraw, model: &Mat4, number: usize, corners: [usize; 3]) -> Paint {
+    if let Shade::Solid(color) = draw.shade {
+        return Paint::Constant(channels(color));
+    }
     match draw.shape.arrays().attributes {
         Attributes::FaceColors(colors) => Paint::Constant(channels(colors[number])),
         Attributes::Colors(colors) if draw.shade == Shade::Flat => {
@@ -382,7 +463,7 @@ fn paint(draw: &MeshDraw, model: &Mat4, number: usize, corners: [usize; 3]) -> P
                 (cosine + 1.0) * 127.0 * 4096.0 / 16.0 / 16_384.0
             };
             match draw.shade {
-                Shade::Flat => Paint::Constant(lit(corners[0])),
+                Shade::Flat | Shade::Solid(_) => Paint::Constant(lit(corners[0])),
                 Shade::Gouraud => Paint::Corners(corners.map(lit)),
                 Shade::Toon => Paint::Tones(corners.map(tone)),
             }

@@ -73,3 +73,29 @@ pub(crate) fn dust(i: u32) -> Option<ScreenCorner> {
     let y = (i.wrapping_mul(2_246_822_519) >> 19) % (64 * 16);
     (i < 200).then_some((x as i32, y as i32, 9_000, Rgb::new(200, 200, 220)))
 }
+
+/// A rectangle of two triangles, from its upper left corner to its lower right one, in pixels, of
+/// colours above and below.
+fn rectangle(i: u32, corners: [i32; 4], z: u16, [above, below]: [Rgb; 2]) -> Option<ScreenCorner> {
+    let [left, top, right, bottom] = corners.map(|pixels| 16 * pixels);
+    let (column, row) = *[(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)].get(i as usize)?;
+    let (x, y) = ([left, right][column], [top, bottom][row]);
+    Some((x, y, z, [above, below][row]))
+}
+
+/// The whole picture, from light to dark.
+pub(crate) fn backdrop(i: u32) -> Option<ScreenCorner> {
+    rectangle(i, [0, 0, 96, 64], 100, [Rgb::new(240, 220, 160), Rgb::new(20, 40, 90)])
+}
+
+/// The whole picture in dark tones, so that steps are seen.
+pub(crate) fn dusk(i: u32) -> Option<ScreenCorner> {
+    rectangle(i, [0, 0, 96, 64], 100, [Rgb::new(12, 16, 40), Rgb::new(72, 40, 24)])
+}
+
+/// Patch `N` of five beside each other, from green to red.
+pub(crate) fn patch<const N: i32>(i: u32) -> Option<ScreenCorner> {
+    let left = 3 + 18 * N;
+    let colors = [Rgb::new(60, 200, 100), Rgb::new(230, 70, 50)];
+    rectangle(i, [left, 8, left + 15, 56], 200, colors)
+}

@@ -1,10 +1,17 @@
 //! The pictures.
 
+use fixed::types::I8F8;
 use microraster::math::{AngleUnits, Mat4, Vec3, Vec4};
-use microraster::{AnyDepth, Camera, Cull, Rect, Rgb, Size, Winding};
+use microraster::{
+    AnyBlend, AnyCompare, AnyDepth, AnyDither, AnyOperation, Camera, Cull, Rect, Rgb, Size,
+    Supersampling, Winding,
+};
 
 use super::shapes::Shape;
-use super::{corners, Draw, Kind, MeshDraw, Picture, PixelFormat, ScreenDraw, Shade};
+use super::{
+    corners, Draw, FragmentState, Kind, MeshDraw, Picture, PixelFormat, ScreenCorner, ScreenDraw,
+    Shade,
+};
 use super::{Facts, Probe, Scene, Stage};
 
 const NIGHT: Rgb = Rgb::new(16, 24, 48);
@@ -17,6 +24,7 @@ const PLAIN: Picture = Picture {
     format: PixelFormat::Rgb565,
     band: 0,
     stride: 0,
+    samples: None,
     background: NIGHT,
     draws: &[],
 };
@@ -32,6 +40,7 @@ const TEAPOT: MeshDraw = MeshDraw {
     front: Winding::CounterClockwise,
     viewport: None,
     scissor: None,
+    fragments: None,
 };
 
 /// Anything else, seen from all sides.
@@ -48,7 +57,7 @@ pub(crate) fn pictures() -> &'static [Picture] {
     &PICTURES
 }
 
-static PICTURES: [Picture; 24] = [
+static PICTURES: [Picture; 32] = [
     Picture {
         name: "teapot-flat",
         draws: &[Draw::Mesh(MeshDraw { shade: Shade::Flat, ..TEAPOT })],
@@ -212,6 +221,7 @@ static PICTURES: [Picture; 24] = [
             kind: Kind::Triangles,
             corner: corners::fan,
             depth: AnyDepth::Off,
+            fragments: None,
         })],
         ..PLAIN
     },
@@ -221,6 +231,7 @@ static PICTURES: [Picture; 24] = [
             kind: Kind::Lines,
             corner: corners::star,
             depth: AnyDepth::Less,
+            fragments: None,
         })],
         ..PLAIN
     },
@@ -231,11 +242,13 @@ static PICTURES: [Picture; 24] = [
                 kind: Kind::Points(5),
                 corner: corners::spiral,
                 depth: AnyDepth::Less,
+                fragments: None,
             }),
             Draw::Screen(ScreenDraw {
                 kind: Kind::Points(1),
                 corner: corners::dust,
                 depth: AnyDepth::Less,
+                fragments: None,
             }),
         ],
         ..PLAIN
@@ -247,6 +260,7 @@ static PICTURES: [Picture; 24] = [
             kind: Kind::Wide(4),
             corner: corners::star,
             depth: AnyDepth::Less,
+            fragments: None,
         })],
         ..PLAIN
     },
@@ -256,6 +270,7 @@ static PICTURES: [Picture; 24] = [
             kind: Kind::Stippled(0x1C7F, 2),
             corner: corners::spiral,
             depth: AnyDepth::Less,
+            fragments: None,
         })],
         ..PLAIN
     },
@@ -268,11 +283,13 @@ static PICTURES: [Picture; 24] = [
                 kind: Kind::Round(11),
                 corner: corners::spiral,
                 depth: AnyDepth::Less,
+                fragments: None,
             }),
             Draw::Screen(ScreenDraw {
                 kind: Kind::Round(4),
                 corner: corners::dust,
                 depth: AnyDepth::Less,
+                fragments: None,
             }),
         ],
         ..PLAIN
@@ -301,7 +318,164 @@ static PICTURES: [Picture; 24] = [
         })],
         ..PLAIN
     },
+    // Each patch by another mode.
+    Picture {
+        name: "blends",
+        draws: &[
+            BACKDROP,
+            patch(corners::patch::<0>, AnyBlend::ConstantAlpha(100)),
+            patch(corners::patch::<1>, AnyBlend::Add),
+            patch(corners::patch::<2>, AnyBlend::Multiply),
+            patch(corners::patch::<3>, AnyBlend::Subtract),
+            patch(corners::patch::<4>, AnyBlend::Average),
+        ],
+        ..PLAIN
+    },
+    Picture { name: "dithered-4x4", draws: &[dusk(AnyDither::Four)], ..PLAIN },
+    Picture { name: "dithered-8x8", draws: &[dusk(AnyDither::Eight)], ..PLAIN },
+    // A sheet on another one, of the same plane but other triangles.
+    Picture {
+        name: "offset",
+        background: PAPER,
+        draws: &[
+            Draw::Mesh(MeshDraw { shape: Shape::Sheet(1), camera: afar, model: sheet_b, ..OPEN }),
+            Draw::Mesh(MeshDraw {
+                shape: Shape::Disc,
+                camera: afar,
+                model: decal,
+                depth: AnyDepth::LessEqual,
+                fragments: Some(NEARER),
+                ..OPEN
+            }),
+        ],
+        ..PLAIN
+    },
+    // The teapot's shadow: no pixel is darkened twice.
+    Picture {
+        name: "planar-shadow",
+        draws: &[
+            Draw::Mesh(MeshDraw { shape: Shape::Floor, camera: high, model: below, ..OPEN }),
+            Draw::Mesh(MeshDraw { camera: high, ..TEAPOT }),
+            Draw::Mesh(MeshDraw {
+                camera: high,
+                model: shadow,
+                shade: Shade::Solid(Rgb::BLACK),
+                cull: Cull::None,
+                depth: AnyDepth::LessEqual,
+                fragments: Some(ONCE),
+                ..TEAPOT
+            }),
+        ],
+        ..PLAIN
+    },
+    // Another world through a sheet.
+    Picture {
+        name: "portal",
+        draws: &[
+            Draw::Mesh(MeshDraw {
+                shape: Shape::Box,
+                camera: afar,
+                model: in_front,
+                cull: Cull::Back,
+                ..OPEN
+            }),
+            Draw::Mesh(MeshDraw {
+                shape: Shape::Sheet(1),
+                camera: afar,
+                model: window,
+                fragments: Some(MARK),
+                ..OPEN
+            }),
+            Draw::Mesh(MeshDraw {
+                shape: Shape::Sheet(1),
+                camera: afar,
+                model: window,
+                depth: AnyDepth::Always,
+                fragments: Some(FORGET),
+                ..OPEN
+            }),
+            Draw::Mesh(MeshDraw {
+                camera: afar,
+                model: behind_the_window,
+                fragments: Some(INSIDE),
+                ..TEAPOT
+            }),
+        ],
+        ..PLAIN
+    },
+    Picture {
+        name: "supersampled",
+        background: PAPER,
+        samples: Some(Supersampling::Two),
+        draws: &[Draw::Mesh(MeshDraw {
+            shape: Shape::Box,
+            camera: afar,
+            model: tilted,
+            cull: Cull::Back,
+            ..OPEN
+        })],
+        ..PLAIN
+    },
+    Picture {
+        name: "supersampled-4x4",
+        samples: Some(Supersampling::Four),
+        draws: &[Draw::Mesh(MeshDraw {
+            shape: Shape::Sheet(2),
+            camera: afar,
+            model: sheet_b,
+            ..OPEN
+        })],
+        ..PLAIN
+    },
 ];
+
+const BACKDROP: Draw = Draw::Screen(ScreenDraw {
+    kind: Kind::Triangles,
+    corner: corners::backdrop,
+    depth: AnyDepth::Off,
+    fragments: None,
+});
+
+/// A gradient of dark tones.
+const fn dusk(dither: AnyDither) -> Draw {
+    Draw::Screen(ScreenDraw {
+        kind: Kind::Triangles,
+        corner: corners::dusk,
+        depth: AnyDepth::Less,
+        fragments: Some(FragmentState { dither, ..DRAWN }),
+    })
+}
+
+/// A patch on the backdrop.
+const fn patch(corner: fn(u32) -> Option<ScreenCorner>, blend: AnyBlend) -> Draw {
+    Draw::Screen(ScreenDraw {
+        kind: Kind::Triangles,
+        corner,
+        depth: AnyDepth::Off,
+        fragments: Some(FragmentState { blend, ..DRAWN }),
+    })
+}
+
+const DRAWN: FragmentState = FragmentState::PLAIN;
+
+/// Nearer than what has the same plane.
+const NEARER: FragmentState = FragmentState { offset: (I8F8::NEG_ONE, -4), ..DRAWN };
+
+/// Dark where nothing has been darkened.
+const ONCE: FragmentState = FragmentState {
+    blend: AnyBlend::ConstantAlpha(128),
+    stencil: (AnyCompare::Equal, 0, AnyOperation::IncrementWrap),
+    ..NEARER
+};
+
+const MARK: FragmentState =
+    FragmentState { stencil: (AnyCompare::Always, 1, AnyOperation::Replace), ..DRAWN };
+
+const INSIDE: FragmentState =
+    FragmentState { stencil: (AnyCompare::Equal, 1, AnyOperation::Keep), ..DRAWN };
+
+/// Nothing is near in the window.
+const FORGET: FragmentState = FragmentState { range: (0, 0), ..INSIDE };
 
 fn lens() -> Camera {
     Camera::perspective(45.0.degrees(), 0.5)
@@ -408,6 +582,46 @@ fn small() -> Mat4 {
     Mat4::translation(Vec3::new(-0.2, -0.5, 1.0)) * Mat4::rotation_y(30.0.degrees()) * scale(0.4)
 }
 
+/// On the sheet, which it crosses by a rounding error at most.
+fn decal() -> Mat4 {
+    sheet_b() * scale(0.7)
+}
+
+fn high() -> Camera {
+    lens().look_at(Vec3::new(0.0, 3.2, 6.6), Vec3::new(0.2, -0.3, 0.0), Vec3::Y)
+}
+
+/// The height of the floor below the teapot.
+const FLOOR: f32 = -1.0;
+
+fn below() -> Mat4 {
+    Mat4::translation(Vec3::new(0.0, FLOOR, 0.0))
+}
+
+/// The teapot, moved along the light to the floor.
+fn shadow() -> Mat4 {
+    let (x, z) = (-0.75, -0.5);
+    let flattened = Mat4::from_rows(
+        Vec4::new(1.0, -x, 0.0, x * FLOOR),
+        Vec4::new(0.0, 0.0, 0.0, FLOOR),
+        Vec4::new(0.0, -z, 1.0, z * FLOOR),
+        Vec4::W,
+    );
+    flattened * turned()
+}
+
+fn in_front() -> Mat4 {
+    Mat4::translation(Vec3::new(-0.7, -0.5, 0.9)) * tilted() * scale(0.4)
+}
+
+fn window() -> Mat4 {
+    Mat4::rotation_y(20.0.degrees()) * scale(1.1)
+}
+
+fn behind_the_window() -> Mat4 {
+    Mat4::translation(Vec3::new(0.3, -0.2, -1.5)) * Mat4::rotation_y(30.0.degrees())
+}
+
 fn scale(factor: f32) -> Mat4 {
     Mat4::scale(Vec3::new(factor, factor, factor))
 }
@@ -447,6 +661,14 @@ pub(super) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
         at::<P, 21>,
         at::<P, 22>,
         at::<P, 23>,
+        at::<P, 24>,
+        at::<P, 25>,
+        at::<P, 26>,
+        at::<P, 27>,
+        at::<P, 28>,
+        at::<P, 29>,
+        at::<P, 30>,
+        at::<P, 31>,
     ];
     PICTURES.iter().zip(draws).map(|(picture, draw)| super::scene(picture.name, draw))
 }

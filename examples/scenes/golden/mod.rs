@@ -8,8 +8,12 @@ mod list;
 pub(crate) mod render;
 pub(crate) mod shapes;
 
+use fixed::types::I8F8;
 use microraster::math::Mat4;
-use microraster::{AnyDepth, Camera, Cull, Rect, Rgb, Size, Winding};
+use microraster::{
+    AnyBlend, AnyCompare, AnyDepth, AnyDither, AnyOperation, Camera, Cull, Rect, Rgb, Size,
+    Supersampling, Winding,
+};
 
 use super::{Facts, Group, Probe, Scene, Stage};
 #[allow(unused_imports, reason = "the tests ask for the list")]
@@ -25,6 +29,8 @@ pub(crate) struct Picture {
     pub(crate) band: u16,
     /// Pixels from one row to the next; 0 for no gap.
     pub(crate) stride: u32,
+    /// Samples that are drawn of each pixel, if not one.
+    pub(crate) samples: Option<Supersampling>,
     pub(crate) background: Rgb,
     pub(crate) draws: &'static [Draw],
 }
@@ -58,6 +64,32 @@ pub(crate) struct MeshDraw {
     pub(crate) front: Winding,
     pub(crate) viewport: Option<Rect>,
     pub(crate) scissor: Option<Rect>,
+    /// Where it is not as types say.
+    pub(crate) fragments: Option<FragmentState>,
+}
+
+/// What becomes of fragments, chosen when the program runs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FragmentState {
+    pub(crate) blend: AnyBlend,
+    pub(crate) dither: AnyDither,
+    /// Slope and units.
+    pub(crate) offset: (I8F8, i16),
+    /// Farthest and nearest code.
+    pub(crate) range: (u16, u16),
+    /// Comparison, reference, and what is left where it is passed.
+    pub(crate) stencil: (AnyCompare, u8, AnyOperation),
+}
+
+impl FragmentState {
+    /// All are drawn, as they are.
+    pub(crate) const PLAIN: Self = Self {
+        blend: AnyBlend::Replace,
+        dither: AnyDither::Undithered,
+        offset: (I8F8::ZERO, 0),
+        range: (0, u16::MAX),
+        stencil: (AnyCompare::Always, 0, AnyOperation::Keep),
+    };
 }
 
 /// How a mesh is coloured.
@@ -65,6 +97,8 @@ pub(crate) struct MeshDraw {
 pub(crate) enum Shade {
     Flat,
     Gouraud,
+    /// One colour.
+    Solid(Rgb),
     /// The shader of a user's own, in four tones.
     Toon,
 }
@@ -79,6 +113,8 @@ pub(crate) struct ScreenDraw {
     /// Corner `i`, or `None` after the last.
     pub(crate) corner: fn(u32) -> Option<ScreenCorner>,
     pub(crate) depth: AnyDepth,
+    /// Where it is not as types say.
+    pub(crate) fragments: Option<FragmentState>,
 }
 
 /// What screen corners make.

@@ -6,14 +6,17 @@ use bytemuck::Pod;
 use microraster::math::Vec3;
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Color, DepthBuffer, DrawContext, Flat, Format, Frame, FrameError, Gouraud, Lambert, Light,
-    Pass, PointCoordinates, Rgb, Rgb565, Rgb565Be, Rgba8888, ScreenPass, Shader, Size, SmoothColor,
-    Stats, Stippled, Thin, VertexInput, Wide,
+    AnyDepth, AnyDepthState, AnyOperation, AnyStencil, Color, DepthBuffer, DrawContext, Flat,
+    Format, Frame, FrameError, Gouraud, Lambert, Light, Pass, PointCoordinates, Rgb, Rgb565,
+    Rgb565Be, Rgba8888, ScreenPass, Shader, Size, SmoothColor, Stats, Stencil, StencilBuffer,
+    Stenciled, Stippled, Supersampling, Thin, Undithered, VertexInput, Wide,
 };
 
 use super::super::toon::shader::Toon;
 use super::shapes::Attributes;
-use super::{Draw, Kind, MeshDraw, Picture, PixelFormat, ScreenCorner, ScreenDraw, Shade};
+use super::{
+    Draw, FragmentState, Kind, MeshDraw, Picture, PixelFormat, ScreenCorner, ScreenDraw, Shade,
+};
 
 /// Where light comes from, what it is like and what it falls on.
 pub(crate) const SUN: Vec3 = Vec3::new(-0.3, -0.6, -1.0);
@@ -33,6 +36,14 @@ pub(crate) struct Written {
     pub(crate) pixels: u32,
     pub(crate) triangles: u32,
     pub(crate) skipped: u32,
+}
+
+impl AddAssign for Written {
+    fn add_assign(&mut self, other: Self) {
+        self.pixels += other.pixels;
+        self.triangles += other.triangles;
+        self.skipped += other.skipped;
+    }
 }
 
 impl AddAssign<Stats> for Written {
@@ -64,7 +75,13 @@ where
     let Size { width, height, .. } = picture.size;
     let stride = picture.stride.max(width.into());
     let rows = if picture.band == 0 { height } else { picture.band };
+    if let Some(samples) = picture.samples {
+        return sampled::<F>(color, depth, picture, samples);
+    }
     let mut pixels: &mut [F::Raw] = bytemuck::cast_slice_mut(color);
+    // What no depth of a small picture needs.
+    let (depth, stencil) = depth.split_at_mut(depth.len() / 2);
+    let stencil: &mut [u8] = bytemuck::cast_slice_mut(stencil);
     let (mut first, mut written) = (0, Written::default());
     while first < height {
         let rows = rows.min(height - first);
@@ -73,25 +90,72 @@ where
         pixels = rest;
         let size = Size::new(width, rows);
         // The depth of a band is forgotten when the next one begins.
-        let mut frame =
-            Frame::<F>::with_stride(band, size, stride)?.with_depth(depth)?.band(first, height)?;
-        frame.clear(picture.background);
-        for draw in picture.draws {
-            match draw {
-                Draw::Mesh(draw) => written += mesh(&mut frame, draw),
-                Draw::Screen(draw) => written += screen(&mut frame, draw),
-            }
-        }
+        let mut frame = Frame::<F>::with_stride(band, size, stride)?
+            .with_depth(depth)?
+            .with_stencil(stencil)?
+            .band(first, height)?;
+        written += draw_all(&mut frame, picture);
         first += rows;
     }
     Ok(written)
 }
 
-fn mesh<F: Format>(frame: &mut Frame<'_, F, DepthBuffer<'_>>, draw: &MeshDraw) -> Stats {
+/// A frame with all that pictures ask for.
+type FullFrame<'a, F> = Frame<'a, F, StencilBuffer<'a, DepthBuffer<'a>>>;
+
+fn draw_all<F: Format>(frame: &mut FullFrame<'_, F>, picture: &Picture) -> Written {
+    let mut written = Written::default();
+    frame.clear(picture.background);
+    for draw in picture.draws {
+        match draw {
+            Draw::Mesh(draw) => written += mesh(frame, draw),
+            Draw::Screen(draw) => written += screen(frame, draw),
+        }
+    }
+    written
+}
+
+/// The mean of several samples a pixel, four rows of pixels at a time.
+fn sampled<F: Format>(
+    color: &mut [u32],
+    depth: &mut [u16],
+    picture: &Picture,
+    samples: Supersampling,
+) -> Result<Written, FrameError>
+where
+    F::Raw: Pod,
+{
+    const ROWS: u16 = 4;
+    let Size { width, height, .. } = picture.size;
+    let factor = samples.factor();
+    let (pixels, fine) = color.split_at_mut(color.len() / 2);
+    let pixels: &mut [F::Raw] = bytemuck::cast_slice_mut(pixels);
+    let (depth, stencil) = depth.split_at_mut(depth.len() / 2);
+    let stencil: &mut [u8] = bytemuck::cast_slice_mut(stencil);
+    let mut frame = Frame::<F>::new(pixels, picture.size)?;
+    let (mut first, mut written) = (0, Written::default());
+    while first < height {
+        let rows = ROWS.min(height - first);
+        let size = Size::new(width * factor, rows * factor);
+        let mut fine = Frame::<Rgba8888>::new(fine, size)?
+            .with_depth(depth)?
+            .with_stencil(stencil)?
+            .band(first * factor, height * factor)?;
+        written += draw_all(&mut fine, picture);
+        samples.resolve(&fine, &mut frame, &Undithered);
+        first += rows;
+    }
+    Ok(written)
+}
+
+fn mesh<F: Format>(frame: &mut FullFrame<'_, F>, draw: &MeshDraw) -> Stats {
     let sun = Light::directional(SUN, SUN_COLOR);
     let light = || Lambert::new(&[sun]).ambient(AMBIENT).material(MATERIAL);
     let toon = || Toon { tones: TONES.map(Color::from), to_light: TOWARDS_LIGHT };
     match (draw.shape.arrays().attributes, draw.shade) {
+        (Attributes::Normals(normals), Shade::Solid(color)) => {
+            through(frame, draw, normals, false, &Flat::solid(color))
+        }
         (Attributes::Normals(normals), Shade::Flat) => {
             through(frame, draw, normals, false, &Flat::new(light()))
         }
@@ -110,7 +174,7 @@ fn mesh<F: Format>(frame: &mut Frame<'_, F, DepthBuffer<'_>>, draw: &MeshDraw) -
 }
 
 fn through<F: Format, A, H: Shader<Vertex = A>>(
-    frame: &mut Frame<'_, F, DepthBuffer<'_>>,
+    frame: &mut FullFrame<'_, F>,
     draw: &MeshDraw,
     attributes: &'static [A],
     by_face: bool,
@@ -127,9 +191,28 @@ fn through<F: Format, A, H: Shader<Vertex = A>>(
         frame.set_scissor(scissor);
     }
     let mut stats = Stats::default();
-    pass.depth(draw.depth).count(&mut stats).draw(frame, &(draw.model)(), &mesh, shader);
+    let model = &(draw.model)();
+    match draw.fragments {
+        None => pass.depth(draw.depth).count(&mut stats).draw(frame, model, &mesh, shader),
+        Some(fragments) => {
+            pass.depth(depth_of(draw.depth, &fragments))
+                .blend(fragments.blend)
+                .dither(fragments.dither)
+                .count(&mut stats)
+                .draw(frame, model, &mesh, shader);
+        }
+    }
     frame.reset_scissor();
     stats
+}
+
+/// The tests of a draw that are chosen when the program runs.
+fn depth_of(test: AnyDepth, fragments: &FragmentState) -> Stenciled<AnyDepthState, AnyStencil> {
+    let FragmentState { offset, range, stencil: (compare, reference, on_pass), .. } = *fragments;
+    let keep = AnyOperation::Keep;
+    let stencil = Stencil::new(compare, reference);
+    let stencil = stencil.on_fail(keep).on_depth_fail(keep).on_pass(on_pass);
+    Stenciled::new(AnyDepthState { offset, range, ..AnyDepthState::new(test) }, stencil)
 }
 
 /// Corners of a strip at most.
@@ -154,13 +237,22 @@ impl Shader for Round {
     }
 }
 
-fn screen<F: Format>(frame: &mut Frame<'_, F, DepthBuffer<'_>>, draw: &ScreenDraw) -> Stats {
+fn screen<F: Format>(frame: &mut FullFrame<'_, F>, draw: &ScreenDraw) -> Stats {
     let shaded = |(x, y, z, color): ScreenCorner| (ScreenVertex::from_bits(x, y, z), color.into());
     let corner = |i: u32| (draw.corner)(i).map(shaded);
     let mut stats = Stats::default();
-    let mut pass = ScreenPass::new().depth(draw.depth).count(&mut stats);
     let shader = Gouraud::colored();
     let mut i = 0;
+    if let Some(fragments) = draw.fragments {
+        let pass = ScreenPass::new().depth(depth_of(draw.depth, &fragments));
+        let mut pass = pass.blend(fragments.blend).dither(fragments.dither).count(&mut stats);
+        while let (Some(a), Some(b), Some(c)) = (corner(i), corner(i + 1), corner(i + 2)) {
+            pass.triangle(frame, &shader, &[a, b, c]);
+            i += 3;
+        }
+        return stats;
+    }
+    let mut pass = ScreenPass::new().depth(draw.depth).count(&mut stats);
     while let Some(a) = corner(i) {
         let a: (ScreenVertex, Color) = a;
         match (draw.kind, corner(i + 1), corner(i + 2)) {

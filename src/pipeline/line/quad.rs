@@ -5,7 +5,7 @@ use crate::color::Format;
 use crate::frame::{Frame, Rect, Supplies};
 use crate::math::{inverse_sqrt, InverseSqrt};
 use crate::raster::{ScreenVertex, SpanBatch, Traversal, Triangle, GUARD, SUBPIXELS};
-use crate::shade::{Corner, Fragments, State};
+use crate::shade::{Corner, DepthTest, Fragments, State};
 
 // Rectangles reach as far beyond the square of corners as half the widest line, and edge values
 // still leave the sign bit of an i32 alone.
@@ -102,7 +102,12 @@ impl Quad {
             is_drawn = true;
             let (second, third) = if triangle.flipped { (k, j) } else { (j, k) };
             let corners = &[corner(i), corner(second), corner(third)];
-            Fill { triangle, corners, provoking }.draw(frame, state, shader, &mut walk, &mut batch);
+            let fill = Fill { triangle, corners, provoking };
+            if S::Depth::OFFSETS {
+                fill.draw_unmoved(frame, state, shader, &mut walk, &mut batch);
+            } else {
+                fill.draw(frame, state, shader, &mut walk, &mut batch);
+            }
         }
         is_drawn
     }

@@ -7,7 +7,7 @@ use crate::raster::{
     depth_along, limited, plane_triangle, Gradients, Line, MidpointPath, Path, Pixel, Plane,
     PointSquare, ScreenVertex, Span, Steps,
 };
-use crate::shade::{Corner, Event, Fragments, Row, State, Varying};
+use crate::shade::{ColorOutput, Corner, DepthTest, Event, Fragments, Row, State, Varying};
 
 /// A line to be drawn.
 pub struct LineDraw<'a, V: Varying> {
@@ -127,6 +127,12 @@ fn lies_within([a, b]: &[ScreenVertex; 2], by_columns: bool, low: i32, high: i32
     p.min(q) >> 4 > low && (p.max(q) >> 4).wrapping_add(1) < high
 }
 
+/// The plane that has the mean of both ends' codes everywhere, rounded down.
+fn mean([a, b]: &[ScreenVertex; 2]) -> Plane {
+    let sum = u32::from(a.z).wrapping_add(b.z.into());
+    Plane { origin: sum >> 1 << 16 | 0x8000, dx: 0, dy: 0 }
+}
+
 /// A line on its way into the frame.
 struct Stroke<'a, V: Varying, R, L, P> {
     line: &'a LineDraw<'a, V>,
@@ -165,6 +171,18 @@ impl<V: Varying, R: Path, L: Replicated, P: Pattern> Stroke<'_, V, R, L, P> {
     {
         let LineDraw { ends, corners, provoking, area, before } = *self.line;
         let width = self.style.width();
+        let (depth, output, _) = state.parts();
+        let ends = if depth.maps() {
+            ends.map(|end| ScreenVertex { z: depth.map(end.z), ..end })
+        } else {
+            ends
+        };
+        let is_constant = depth.is_constant();
+        let corners = if H::COLOR_AS_IS && output.dims() {
+            &corners.each_ref().map(V::dim::<F>)
+        } else {
+            corners
+        };
         let by_columns = self.path.by_columns();
         let (from, to) = self.path.ends();
         let along = to.wrapping_sub(from).max(0).cast_unsigned();
@@ -178,7 +196,8 @@ impl<V: Varying, R: Path, L: Replicated, P: Pattern> Stroke<'_, V, R, L, P> {
         let mut is_drawn = false;
         if let Some(head) = self.head {
             let (varying, step) = V::on_point(&corners[0], &PointSquare::NONE, head.x, head.y);
-            let z = u32::from(ends[0].z) << 16 | 0x8000;
+            let z =
+                if is_constant { mean(&ends).origin } else { u32::from(ends[0].z) << 16 | 0x8000 };
             let pattern = self.pattern.started(before);
             for copy in 0..width {
                 let (x, y) = if by_columns { (0, copy) } else { (copy, 0) };
@@ -224,17 +243,20 @@ impl<V: Varying, R: Path, L: Replicated, P: Pattern> Stroke<'_, V, R, L, P> {
         } else {
             Gradients::NONE
         };
-        let z_plane =
-            if <Access<S>>::TOUCHES { depth_along(&ends, &self.path) } else { Plane::default() };
+        let z_plane = match <Access<S>>::HAS_DEPTH {
+            true if is_constant => mean(&ends),
+            true => depth_along(&ends, &self.path),
+            false => Plane::default(),
+        };
         let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
         let [p, q] = *corners;
         let mut planes = V::planes(&gradients, &[p, q, p], provoking, in_pieces);
         // Planes are level across the line: any row will do.
         let level = if by_columns { ends[0].y_bits() } else { ends[0].x_bits() } >> 4;
         // Where rows of colour and of depth differ in length, pixel by pixel.
-        let (stride, cell_stride) = frame.strides::<Access<S>>();
+        let has_one_stride = frame.has_one_stride::<Access<S>>();
         let longest = |path: &R, at: i32| {
-            if stride == cell_stride {
+            if has_one_stride {
                 path.good_until(at)
             } else {
                 at.wrapping_add(1)
@@ -308,7 +330,7 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
         D: Supplies<Access<S>>,
         P: Pattern,
     {
-        let (stride, _) = frame.strides::<Access<S>>();
+        let stride = frame.stride();
         let (least, _) = self.least_step;
         // A step back across does not lead to the same place; places are below 2^13 x 2^16.
         if stride < 2 || stride >= 1 << 16 || least < 0 && self.by_columns {
@@ -341,7 +363,7 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
         let Self { first, last, by_columns, mut steps, mut z, z_step, mut varying, step, .. } =
             *self;
         let (depth, output, counter) = state.parts();
-        let (stride, _) = frame.strides::<Access<S>>();
+        let stride = frame.stride();
         let (least, sign) = self.least_step;
         let Pixel { mut x, mut y } = first;
         let Some((pixels, mut cells, start)) = frame.all_from::<Access<S>>(x, y) else { return };
@@ -356,7 +378,6 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
         let (along, across) = if by_columns { (1, stride) } else { (stride, 1) };
         let across = across.wrapping_mul(sign as usize);
         let least_across = least.wrapping_mul(sign).cast_unsigned();
-        let by_columns = !ROWS && by_columns;
         let by_columns = !ROWS && by_columns;
         let plain = along.wrapping_add(across.wrapping_mul(least_across.cast_signed() as usize));
         // Of rows in order the steps count the place itself.

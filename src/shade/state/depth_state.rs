@@ -30,6 +30,7 @@ impl<D> ReadOnly<D> {
 
 impl<D: DepthTest<Access = ReadWrite>> DepthTest for ReadOnly<D> {
     type Access = ReadWrite;
+    const OFFSETS: bool = D::OFFSETS;
 
     hand_on! {
         passes(new: u16, stored: u16) -> bool;
@@ -45,7 +46,8 @@ impl<D: DepthTest<Access = ReadWrite>> DepthTest for ReadOnly<D> {
     }
 }
 
-/// A test with one depth a triangle: the mean of its corners' codes. The cheapest: no planes.
+/// A test with one depth a triangle or line: the mean of its corners' codes. The cheapest: no
+/// planes.
 ///
 /// # Rounding
 /// Down to a code.
@@ -63,6 +65,7 @@ impl<D> ConstantDepth<D> {
 
 impl<D: DepthTest<Access = ReadWrite>> DepthTest for ConstantDepth<D> {
     type Access = ReadWrite;
+    const OFFSETS: bool = D::OFFSETS;
 
     hand_on! {
         passes(new: u16, stored: u16) -> bool;
@@ -80,7 +83,7 @@ impl<D: DepthTest<Access = ReadWrite>> DepthTest for ConstantDepth<D> {
 
 /// A test of triangles that are moved away by `slope` times their steepest change of depth from
 /// one pixel to the next, and `units` depth codes (polygon offset); towards the viewer where that
-/// is negative.
+/// is negative. Lines and points are not moved.
 ///
 /// # Range
 /// No corner is moved out of the range of codes: a triangle that would be moves less.
@@ -109,6 +112,7 @@ fn moved(slope: I8F8, units: i16, dx: i32, dy: i32) -> i64 {
 
 impl<D: DepthTest<Access = ReadWrite>> DepthTest for PolygonOffset<D> {
     type Access = ReadWrite;
+    const OFFSETS: bool = true;
 
     hand_on! {
         passes(new: u16, stored: u16) -> bool;
@@ -160,6 +164,7 @@ fn between(farthest: u16, nearest: u16, code: u16) -> u16 {
 
 impl<D: DepthTest<Access = ReadWrite>> DepthTest for DepthRange<D> {
     type Access = ReadWrite;
+    const OFFSETS: bool = D::OFFSETS;
 
     hand_on! {
         passes(new: u16, stored: u16) -> bool;
@@ -204,6 +209,7 @@ impl AnyDepthState {
 
 impl DepthTest for AnyDepthState {
     type Access = ReadWrite;
+    const OFFSETS: bool = true;
 
     fn passes(&self, new: u16, stored: u16) -> bool {
         self.test.passes(new, stored)

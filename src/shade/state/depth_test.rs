@@ -1,5 +1,22 @@
 use crate::frame::{DepthAccess, ReadWrite, Untouched};
 
+/// A pixel's cells under a depth test.
+pub type TestCell<'a, D> = <<D as DepthTest>::Access as DepthAccess>::Cell<'a>;
+
+/// What tests make of a fragment.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It fails, and nothing comes of it.
+    Fails,
+    /// It fails the stencil test, which leaves something.
+    FailsStencil,
+    /// It fails the depth test, which leaves something.
+    FailsDepth,
+    /// It is drawn.
+    Passes,
+}
+
 /// Which fragments are near enough to be drawn.
 ///
 /// Names compare **distance**: [`Less`] passes what is nearer than what is stored. Codes run the
@@ -7,6 +24,8 @@ use crate::frame::{DepthAccess, ReadWrite, Untouched};
 pub trait DepthTest {
     /// Whether depth is touched at all.
     type Access: DepthAccess;
+    /// Whether triangles may be [moved](Self::offset).
+    const OFFSETS: bool = false;
 
     /// Whether a fragment with code `new` is drawn over one with code `stored`.
     fn passes(&self, new: u16, stored: u16) -> bool;
@@ -14,7 +33,27 @@ pub trait DepthTest {
     /// Whether a fragment that is drawn leaves its depth.
     fn writes(&self) -> bool;
 
-    /// Whether a triangle has one code for all of its pixels: the mean of its corners'.
+    /// What becomes of a fragment with code `new`, unless the shader discards it.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn verdict(&self, new: u16, cell: &TestCell<'_, Self>) -> Verdict {
+        if self.passes(new, Self::Access::read(cell)) {
+            Verdict::Passes
+        } else {
+            Verdict::Fails
+        }
+    }
+
+    /// Leaves in the pixel's cell what comes of a verdict that is not [`Verdict::Fails`].
+    #[doc(hidden)]
+    #[inline(always)]
+    fn leave(&self, _verdict: Verdict, new: u16, cell: TestCell<'_, Self>) {
+        if self.writes() {
+            Self::Access::write(cell, new);
+        }
+    }
+
+    /// Whether a triangle or line has one code for all of its pixels: the mean of its corners'.
     #[inline(always)]
     fn is_constant(&self) -> bool {
         false
@@ -30,6 +69,13 @@ pub trait DepthTest {
     #[inline(always)]
     fn map(&self, code: u16) -> u16 {
         code
+    }
+
+    /// The depth that a corner has, 16.16, raised by a half so that cutting off rounds.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn corner(&self, code: u16) -> u32 {
+        u32::from(if self.maps() { self.map(code) } else { code }) << 16 | 0x8000
     }
 
     /// By how much a triangle is farther than it says, as 16.16 codes, where its depth changes by

@@ -4,6 +4,9 @@
 pub trait Dither {
     /// The thresholds of a row's pixels, the next one's first.
     type Thresholds: Copy;
+    /// Steps of a colour from pixel to pixel until thresholds repeat.
+    #[doc(hidden)]
+    type Steps: Default + AsRef<[(u32, u32)]> + AsMut<[(u32, u32)]>;
     /// Whether there may be any.
     const DITHERS: bool;
     /// Whether there are.
@@ -112,6 +115,7 @@ fn row<T: Copy + Default, const N: usize>(rows: &[T; N], y: i32) -> T {
 
 impl Dither for Undithered {
     type Thresholds = ();
+    type Steps = [(u32, u32); 1];
     const DITHERS: bool = false;
 
     #[inline(always)]
@@ -128,6 +132,7 @@ impl Dither for Undithered {
 
 impl Dither for Dither4 {
     type Thresholds = u32;
+    type Steps = [(u32, u32); 4];
     const DITHERS: bool = true;
 
     #[inline(always)]
@@ -148,6 +153,7 @@ impl Dither for Dither4 {
 
 impl Dither for Dither8 {
     type Thresholds = u64;
+    type Steps = [(u32, u32); 8];
     const DITHERS: bool = true;
 
     #[inline(always)]
@@ -169,6 +175,7 @@ impl Dither for Dither8 {
 
 impl Dither for AnyDither {
     type Thresholds = Option<u64>;
+    type Steps = [(u32, u32); 8];
     const DITHERS: bool = true;
 
     fn dithers(&self) -> bool {

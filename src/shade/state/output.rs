@@ -34,8 +34,11 @@ pub trait ColorOutput {
         source: &<Self::Blend as Blend>::Source,
         stored: &F::Raw,
         thresholds: &<Self::Dither as Dither>::Thresholds,
-        dimmed: bool,
     ) -> F::Raw;
+
+    /// The channels of a packed colour that are written, and the others of `stored`.
+    #[doc(hidden)]
+    fn masked<F: Format>(&self, packed: F::Raw, stored: &F::Raw) -> F::Raw;
 
     /// Whether colours are best [dimmed](Format::dim) at the corners: they are dithered and not
     /// blended.
@@ -71,14 +74,17 @@ impl<B: Blend, W: Dither, M: ColorMask> ColorOutput for Output<B, W, M> {
         source: &B::Source,
         stored: &F::Raw,
         thresholds: &W::Thresholds,
-        dimmed: bool,
     ) -> F::Raw {
         let color = self.blend.blend::<F>(source, *stored);
         let packed = match W::first(thresholds) {
-            Some(thresholds) if dimmed => F::pack_dimmed(color, thresholds),
             Some(thresholds) => F::pack_dithered(color, thresholds),
             None => F::pack(color),
         };
+        self.masked::<F>(packed, stored)
+    }
+
+    #[inline(always)]
+    fn masked<F: Format>(&self, packed: F::Raw, stored: &F::Raw) -> F::Raw {
         if M::MASKS {
             masked::<F>(&self.mask, packed, *stored)
         } else {
@@ -92,7 +98,7 @@ impl<B: Blend, W: Dither, M: ColorMask> ColorOutput for Output<B, W, M> {
         if W::DITHERS || M::MASKS {
             let mut thresholds = self.dither.thresholds(x, y);
             for pixel in pixels {
-                *pixel = self.pixel::<F>(&source, pixel, &thresholds, false);
+                *pixel = self.pixel::<F>(&source, pixel, &thresholds);
                 W::step(&mut thresholds);
             }
         } else {

@@ -59,7 +59,7 @@ pub(crate) fn draw(scene: &Scene<Counter>, bunny: Option<Model<'_>>, limit: u32)
         .collect()
 }
 
-/// The scenes that a list of names asks for: `golden`, `standard`, `all` or names.
+/// The scenes that a list of names asks for: `gallery`, `golden`, `standard`, `all` or names.
 ///
 /// # Errors
 /// A name that no scene has.
@@ -67,6 +67,7 @@ pub(crate) fn asked(names: &[String]) -> Result<Vec<Scene<Counter>>, String> {
     use super::scenes::Group;
     let wants = |scene: &Scene<Counter>, name: &String| match name.as_str() {
         "all" => true,
+        "gallery" => scene.group == Group::Gallery,
         "golden" => scene.group == Group::Golden,
         "standard" => scene.group == Group::Standard,
         name => scene.name == name,
@@ -75,7 +76,7 @@ pub(crate) fn asked(names: &[String]) -> Result<Vec<Scene<Counter>>, String> {
         if !scenes::<Counter>().any(|scene| wants(&scene, name)) {
             let known: Vec<_> = scenes::<Counter>().map(|scene| scene.name).collect();
             return Err(format!(
-                "there is no scene `{name}`; choose golden, standard, all or of {}",
+                "there is no scene `{name}`; choose gallery, golden, standard, all or of {}",
                 known.join(", ")
             ));
         }
@@ -194,6 +195,14 @@ impl fmt::Display for Line {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn scenes_have_names_of_their_own() {
+        let mut names: Vec<_> = scenes::<Counter>().map(|scene| scene.name).collect();
+        names.sort_unstable();
+        let twice: Vec<_> = names.windows(2).filter(|pair| pair[0] == pair[1]).collect();
+        assert!(twice.is_empty(), "{twice:?}");
+    }
 
     fn drawn(frame: u32, hash: u64) -> Drawn {
         Drawn { scene: "S1".into(), frame, instructions: 1000, hash, bytes: 8 }

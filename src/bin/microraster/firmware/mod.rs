@@ -46,7 +46,7 @@ pub(crate) struct Arguments {
     /// Boards, of m0, m3, m4, m7, m33, m55 and rv32.
     #[arg(long, value_delimiter = ',', default_value = "m4,m0", value_name = "BOARD")]
     boards: Vec<String>,
-    /// Scenes by name, or the lists `golden`, `standard` and `all`.
+    /// Scenes by name, or the lists `gallery`, `golden`, `standard` and `all`.
     #[arg(long, value_delimiter = ',', default_value = "all", value_name = "SCENE")]
     scenes: Vec<String>,
     /// Draw only the first frames of each scene.

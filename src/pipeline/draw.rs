@@ -1,0 +1,172 @@
+use super::assembly::{Assembly, Face, Positions};
+use super::cache::CacheView;
+use super::fill::{Access, Fill, Walk};
+use super::Clip;
+use crate::color::Format;
+use crate::frame::{Frame, Supplies};
+use crate::raster::{SpanBatch, Traversal};
+use crate::scene::{Topology, Vertices};
+use crate::shade::{Bound, Corner, Counter, Event, Shader, State, Varying, VertexInput};
+
+/// The w of a vertex that was projected, or is behind the eye and has 1.
+#[inline(always)]
+fn w<P: Positions>(positions: &P, index: u32) -> i32 {
+    positions.clip(index).map_or(1, |clip| clip.w)
+}
+
+/// One draw of a mesh: what depends on the shader, but not on state or format.
+#[derive(Debug)]
+pub(super) struct Draw<'a, H: Shader> {
+    pub(super) vertices: &'a Vertices<'a, H::Vertex>,
+    pub(super) shader: &'a H,
+    pub(super) prepared: &'a H::Prepared,
+}
+
+impl<H: Shader> Positions for Draw<'_, H> {
+    fn clip(&self, index: u32) -> Option<Clip> {
+        let vertex = self.vertices.attributes.get(index as usize)?;
+        self.shader.position(self.prepared, vertex)
+    }
+}
+
+impl<H: Shader> Draw<'_, H> {
+    /// What draws pixels.
+    #[inline(always)]
+    pub(super) fn bound(&self) -> Bound<'_, H> {
+        Bound { shader: self.shader, prepared: self.prepared }
+    }
+
+    #[inline(always)]
+    pub(super) fn run<P, T, S, F, D>(
+        &self,
+        positions: &P,
+        mut assembly: Assembly<T>,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        mut cache: CacheView<'_, Corner<H::Varying>>,
+    ) where
+        P: Positions,
+        T: Topology<Primitive = [u32; 3]>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let mut face = Face::NONE;
+        let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
+        while assembly.next(positions, cache.entries, state.counter(), &mut face) {
+            let traversal = state.traversal();
+            traversal.start(&mut walk, &face.triangle, &assembly.area, &mut batch);
+            if batch.is_empty() {
+                if !face.clipped {
+                    state.counter().event(Event::Outside);
+                }
+                continue;
+            }
+            // Only now, with a pixel to draw, are its vertices shaded.
+            let Some(mut corners) = self.corners(&face, positions, &mut cache) else {
+                state.counter().event(Event::Skipped);
+                face.clipped = false;
+                continue;
+            };
+            let provoking = corners[0];
+            if face.clipped {
+                face.covered = true;
+                let [a, b, c] = corners;
+                corners = assembly.fan.weights().map(|(u, v)| H::Varying::mix([&a, &b, &c], u, v));
+                if face.triangle.flipped {
+                    corners.swap(1, 2);
+                }
+            } else {
+                state.counter().event(Event::Drawn);
+            }
+            Fill { triangle: &face.triangle, corners: &corners, provoking: &provoking }.draw(
+                frame,
+                state,
+                &self.bound(),
+                &mut walk,
+                &mut batch,
+            );
+        }
+    }
+
+    /// The attributes of a triangle's corners; only the provoking one's where nothing is
+    /// interpolated. `None` if the mesh lacks them.
+    #[inline(always)]
+    fn corners<P: Positions>(
+        &self,
+        face: &Face,
+        positions: &P,
+        cache: &mut CacheView<'_, Corner<H::Varying>>,
+    ) -> Option<[Corner<H::Varying>; 3]> {
+        if self.vertices.by_face {
+            let attributes = self.vertices.attributes.get(face.number as usize)?;
+            let position = self.position(face.vertices[0]);
+            let input = VertexInput { attributes, position };
+            let corner = self.shader.vertex(self.prepared, input);
+            return Some(face.vertices.map(|index| {
+                let mut corner = corner;
+                H::Varying::place(&mut corner, || w(positions, index));
+                corner
+            }));
+        }
+        let mut corner =
+            |index: u32| cache.corner(index).or_else(|| self.shade(index, positions, cache));
+        let [a, b, c] = face.vertices;
+        let provoking = corner(a)?;
+        if H::Varying::INTERPOLATED {
+            Some([provoking, corner(b)?, corner(c)?])
+        } else {
+            Some([provoking; 3])
+        }
+    }
+
+    /// The attributes of one vertex of primitive `number`; `None` if the mesh lacks them.
+    #[inline(always)]
+    pub(super) fn corner<P: Positions>(
+        &self,
+        index: u32,
+        number: u32,
+        positions: &P,
+        cache: &mut CacheView<'_, Corner<H::Varying>>,
+    ) -> Option<Corner<H::Varying>> {
+        if self.vertices.by_face {
+            return self.made(number, index, positions);
+        }
+        cache.corner(index).or_else(|| self.shade(index, positions, cache))
+    }
+
+    /// The attributes with a number of a vertex, made anew; `None` if the mesh lacks them.
+    #[inline(always)]
+    pub(super) fn made<P: Positions>(
+        &self,
+        number: u32,
+        index: u32,
+        positions: &P,
+    ) -> Option<Corner<H::Varying>> {
+        let attributes = self.vertices.attributes.get(number as usize)?;
+        let input = VertexInput { attributes, position: self.position(index) };
+        let mut corner = self.shader.vertex(self.prepared, input);
+        H::Varying::place(&mut corner, || w(positions, index));
+        Some(corner)
+    }
+
+    /// Where a vertex lies in the mesh, if the mesh says so.
+    #[inline(always)]
+    pub(super) fn position(&self, index: u32) -> [i16; 3] {
+        self.vertices.positions.get(index as usize).copied().unwrap_or_default()
+    }
+
+    /// Makes a vertex's attributes and keeps them. Apart, so that it is there once for a triangle's
+    /// corners.
+    #[inline(never)]
+    fn shade<P: Positions>(
+        &self,
+        index: u32,
+        positions: &P,
+        cache: &mut CacheView<'_, Corner<H::Varying>>,
+    ) -> Option<Corner<H::Varying>> {
+        let corner = self.made(index, index, positions)?;
+        cache.keep_corner(index, corner);
+        Some(corner)
+    }
+}

@@ -1,4 +1,4 @@
-use super::{Edge, LongEdge, Path, Pixel, Point, ScreenVertex, Steps, Triangle};
+use super::{Divisor, Edge, LongEdge, Path, Pixel, Plane, Point, ScreenVertex, Steps, Triangle};
 
 /// A line one pixel wide, from a first corner to a last one, by the diamond-exit rule.
 ///
@@ -104,8 +104,13 @@ impl Line {
         let mirrored = by_columns && rise && a.y_bits() != b.y_bits();
         let (a, b) = (upright(&a, mirrored), upright(&b, mirrored));
         let (a, b) = if a.y < b.y { (a, b) } else { (b, a) };
-        let edge = if from < to { LongEdge::new(a, b, from) } else { LongEdge::default() };
-        LinePath { edge, from, to, by_columns, mirrored }
+        let divisor = Divisor::new(b.y.wrapping_sub(a.y).cast_unsigned());
+        let edge = if from < to {
+            LongEdge::with_divisor(a, b, from, &divisor)
+        } else {
+            LongEdge::default()
+        };
+        LinePath { edge, divisor, from, to, by_columns, mirrored }
     }
 }
 
@@ -128,6 +133,43 @@ pub(crate) fn plane_triangle([a, b]: &[ScreenVertex; 2], by_columns: bool) -> Tr
     Triangle { v: [a, b, c], area, flipped: false }
 }
 
+/// The depth codes along a line, in equal steps along its longer side: 16.16, raised by a half so
+/// that cutting off rounds. Columns are where the line is counted, rows are all the same.
+///
+/// # Rounding
+/// A step is off by half of 2^-16 of a code, so that depth is off by less than 1/8 of a code over any
+/// line in the square of [`GUARD`](super::GUARD); of a line so short that a step overflows, modulo
+/// 2^32.
+#[inline(never)]
+pub(crate) fn depth_along<P: Path>([a, b]: &[ScreenVertex; 2], path: &P) -> Plane {
+    if a.z == b.z {
+        return Plane { origin: u32::from(a.z) << 16 | 0x8000, dx: 0, dy: 0 };
+    }
+    let along = |v: &ScreenVertex| if path.by_columns() { v.x_bits() } else { v.y_bits() };
+    let start = along(a);
+    let side = along(b).wrapping_sub(start);
+    let more = i32::from(b.z).wrapping_sub(a.z.into());
+    let more = if side < 0 { more.wrapping_neg() } else { more };
+    let divisor = path.divisor(side.unsigned_abs());
+    // 2^7 times a number below 2^29 in magnitude, divided and rounded.
+    let divided = |number: i32| {
+        let (whole, rest) = divisor.divide(number.unsigned_abs());
+        let (part, _) = divisor.divide((rest << 7).wrapping_add(divisor.number() >> 1));
+        let quotient = whole.wrapping_shl(7).wrapping_add(part);
+        if number < 0 {
+            quotient.wrapping_neg()
+        } else {
+            quotient
+        }
+    };
+    let to_center = 8_i32.wrapping_sub(start & 15);
+    let dx = divided(more.wrapping_shl(13));
+    let origin = (u32::from(a.z) << 16 | 0x8000)
+        .wrapping_add(divided(more.wrapping_mul(to_center).wrapping_shl(9)))
+        .wrapping_sub(dx.wrapping_mul((start >> 4).cast_unsigned()));
+    Plane { origin, dx, dy: 0 }
+}
+
 /// Steps after which [`LinePath`] looks anew where the line is.
 pub(super) const STRIDE: i32 = 256;
 
@@ -136,6 +178,8 @@ pub(super) const STRIDE: i32 = 256;
 pub(crate) struct LinePath {
     /// At `from`.
     edge: LongEdge,
+    /// Divides by the longer side.
+    divisor: Divisor,
     from: i32,
     to: i32,
     by_columns: bool,
@@ -169,7 +213,7 @@ impl Path for LinePath {
     #[inline(always)]
     fn steps(&self, at: i32) -> LineSteps {
         let (fraction, _, step) = self.edge.after(at.wrapping_sub(self.from)).parts();
-        LineSteps { fraction, step }
+        LineSteps { number: fraction.into(), step: step.into() }
     }
 
     #[inline(always)]
@@ -183,23 +227,93 @@ impl Path for LinePath {
     }
 
     #[inline(always)]
+    fn divisor(&self, _side: u32) -> Divisor {
+        self.divisor
+    }
+
+    #[inline(always)]
     fn good_until(&self, at: i32) -> i32 {
         at.wrapping_add(STRIDE)
     }
 }
 
-/// Steps across a line, by what a fraction carries.
+/// Steps across a line, by what a fraction carries: one addition of 64 bits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineSteps {
-    fraction: u32,
-    step: u32,
+    /// With 32 fraction bits.
+    number: u64,
+    step: u64,
 }
 
 impl Steps for LineSteps {
     #[inline(always)]
+    fn begin(&mut self, number: u32, least: u32) {
+        self.number |= u64::from(number) << 32;
+        self.step |= u64::from(least) << 32;
+    }
+
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the upper half")]
+    fn number(&self) -> u32 {
+        (self.number >> 32) as u32
+    }
+
+    #[inline(always)]
+    fn step(&mut self) {
+        self.number = self.number.wrapping_add(self.step);
+    }
+
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the fraction")]
     fn carries(&mut self) -> bool {
-        let carries;
-        (self.fraction, carries) = self.fraction.overflowing_add(self.step);
+        let (fraction, carries) = (self.number as u32).overflowing_add(self.step as u32);
+        self.number = fraction.into();
         carries
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::hard_numbers::Random;
+    use crate::raster::MidpointPath;
+
+    #[test]
+    fn depth_along_lines_is_that_of_equal_steps() {
+        let mut random = Random::new(11);
+        let mut side = |bits: u32| (random.word() >> (32 - bits)).cast_signed();
+        let mut check = |from: i32, to: i32, z: [u16; 2]| {
+            let ends =
+                [ScreenVertex::from_bits(from, 0, z[0]), ScreenVertex::from_bits(to, 1, z[1])];
+            let Some(path) = MidpointPath::between(&ends[0], &ends[1]) else { return };
+            if !path.by_columns() {
+                return;
+            }
+            let plane = depth_along(&ends, &path);
+            let (low, high) = (not_before(from.min(to)), not_before(from.max(to)));
+            for x in [low, low + 1, (low + high) / 2, high - 2, high - 1] {
+                if x < low || x >= high {
+                    continue;
+                }
+                let part = f64::from(16 * x + 8 - from) / f64::from(to - from);
+                let exact = f64::from(z[0]) + part * (f64::from(z[1]) - f64::from(z[0]));
+                let got = f64::from(plane.at(x, 7)) / 65_536.0 - 0.5;
+                assert!((got - exact).abs() < 0.125, "{from}..{to} {z:?} at {x}: {got} {exact}");
+                assert!((plane.at(x, 7) >> 16) as u16 <= z[0].max(z[1]));
+                assert!((plane.at(x, 7) >> 16) as u16 >= z[0].min(z[1]));
+            }
+        };
+        for length in 1..=17 {
+            for _ in 0..20_000 {
+                let from = side(17) - 65_536;
+                let to = (from + side(length) - side(length)).clamp(-65_536, 65_535);
+                let z = [side(16) as u16, side(16) as u16];
+                check(from, to, z);
+                check(from, to, [0, 65_535]);
+                check(from, to, [65_535, 0]);
+            }
+        }
+        check(-65_536, 65_535, [0, 65_535]);
+        check(65_535, -65_536, [0, 65_535]);
     }
 }

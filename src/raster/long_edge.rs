@@ -42,14 +42,15 @@ const HAS_DIVIDE: bool = !BY_HALVES;
 
 /// A number above zero, by which others are divided.
 #[derive(Clone, Copy, Debug)]
-struct Divisor {
+pub(crate) struct Divisor {
     number: u32,
     reciprocal: Reciprocal,
 }
 
 impl Divisor {
+    /// Of zero that of one.
     #[inline(always)]
-    fn new(number: u32) -> Self {
+    pub(crate) fn new(number: u32) -> Self {
         let reciprocal =
             if HAS_DIVIDE { Reciprocal { mantissa: 0, shift: 0 } } else { reciprocal(number) };
         Self { number: number.max(1), reciprocal }
@@ -57,12 +58,20 @@ impl Divisor {
 
     /// Quotient and rest of a number below 2^29.
     #[inline(always)]
-    fn divide(&self, dividend: u32) -> (u32, u32) {
+    pub(super) fn divide(&self, dividend: u32) -> (u32, u32) {
         if HAS_DIVIDE {
             let quotient = dividend / self.number;
             return (quotient, dividend.wrapping_sub(quotient.wrapping_mul(self.number)));
         }
         by_reciprocal(dividend, self.number, self.reciprocal)
+    }
+}
+
+impl Divisor {
+    /// The number.
+    #[inline(always)]
+    pub(super) const fn number(&self) -> u32 {
+        self.number
     }
 }
 
@@ -85,8 +94,8 @@ fn by_reciprocal(dividend: u32, number: u32, by: Reciprocal) -> (u32, u32) {
 }
 
 /// dx / dy with 36 fraction bits, rounded down; `dy` above zero.
-fn slope(dx: i32, dy: i32) -> i64 {
-    let divisor = Divisor::new(dy.cast_unsigned());
+#[inline(always)]
+fn slope(dx: i32, divisor: &Divisor) -> i64 {
     // What is negative is divided as the number of which it is the complement: -n - 1 for n.
     let sign = dx >> 31;
     let (whole, rest) = divisor.divide((dx ^ sign).cast_unsigned());
@@ -107,7 +116,18 @@ impl LongEdge {
     /// between them.
     #[inline(never)]
     pub(crate) fn new(a: Point, b: Point, y: i32) -> Self {
-        let step = slope(b.x.wrapping_sub(a.x), b.y.wrapping_sub(a.y));
+        Self::inlined(a, b, y, &Divisor::new(b.y.wrapping_sub(a.y).cast_unsigned()))
+    }
+
+    /// The same, with what divides by the way down.
+    #[inline(never)]
+    pub(crate) fn with_divisor(a: Point, b: Point, y: i32, down: &Divisor) -> Self {
+        Self::inlined(a, b, y, down)
+    }
+
+    #[inline(always)]
+    fn inlined(a: Point, b: Point, y: i32, down: &Divisor) -> Self {
+        let step = slope(b.x.wrapping_sub(a.x), down);
         let down = y.wrapping_mul(16).wrapping_add(8).wrapping_sub(a.y);
         // No more than dx in all, since `down` is no more than dy.
         let along = step.wrapping_mul(down.into()) >> 4;
@@ -182,7 +202,11 @@ mod tests {
         });
         for (dx, dy) in ends.into_iter().chain(any.filter(|(_, dy)| *dy > 0)) {
             let exact = (i128::from(dx) << FRACTION).div_euclid(i128::from(dy));
-            assert_eq!(i128::from(slope(dx, dy)), exact, "{dx} / {dy}");
+            assert_eq!(
+                i128::from(slope(dx, &Divisor::new(dy.cast_unsigned()))),
+                exact,
+                "{dx} / {dy}"
+            );
         }
     }
 }

@@ -92,7 +92,7 @@ impl Path for MidpointPath {
         // What a step adds beside the least one: -1 where the line rises, else 0.
         let up = self.across.wrapping_mul(2);
         let up = if up < 0 { up.wrapping_add(twice) } else { up };
-        MidpointSteps { error: rest.wrapping_sub(twice), up, twice }
+        MidpointSteps { error: rest.wrapping_sub(twice), up, twice, number: 0, least: 0 }
     }
 
     #[inline(always)]
@@ -112,9 +112,27 @@ pub(crate) struct MidpointSteps {
     error: i32,
     up: i32,
     twice: i32,
+    number: u32,
+    least: u32,
 }
 
 impl Steps for MidpointSteps {
+    #[inline(always)]
+    fn begin(&mut self, number: u32, least: u32) {
+        (self.number, self.least) = (number, least);
+    }
+
+    #[inline(always)]
+    fn number(&self) -> u32 {
+        self.number
+    }
+
+    #[inline(always)]
+    fn step(&mut self) {
+        let carries = self.carries();
+        self.number = self.number.wrapping_add(self.least).wrapping_add(carries.into());
+    }
+
     #[inline(always)]
     fn carries(&mut self) -> bool {
         self.error = self.error.wrapping_add(self.up);

@@ -1,3 +1,5 @@
+use super::Divisor;
+
 /// A pixel, in picture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Pixel {
@@ -26,13 +28,29 @@ pub(crate) trait Path {
     /// carries.
     fn least_step(&self) -> (i32, i32);
 
+    /// What divides by the longer side, in subpixels.
+    #[inline(always)]
+    fn divisor(&self, side: u32) -> Divisor {
+        Divisor::new(side)
+    }
+
     /// How far a walk that begins at `at` is exact: the column (or row) behind.
     fn good_until(&self, at: i32) -> i32;
 }
 
-/// A walk along a [`Path`].
+/// A walk along a [`Path`]: a number that grows by as much with each step, and by one more when the
+/// step carries.
 pub(crate) trait Steps {
-    /// Goes to the next column; whether the row changes by one more than the least.
+    /// The number at first, and what every step adds.
+    fn begin(&mut self, number: u32, least: u32);
+
+    /// The number.
+    fn number(&self) -> u32;
+
+    /// Goes to the next column (or row).
+    fn step(&mut self);
+
+    /// The same, for a walk that does not ask for the number: whether the step carries.
     fn carries(&mut self) -> bool;
 }
 

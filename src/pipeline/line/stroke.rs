@@ -1,11 +1,11 @@
 //! Lines pixel by pixel.
 
-use super::super::fill::{depth_plane, lone_depth_plane, Access};
+use super::super::fill::Access;
 use crate::color::Format;
 use crate::frame::{DepthAccess, Frame, Rect, Supplies};
 use crate::raster::{
-    limited, plane_triangle, Gradients, Line, MidpointPath, Path, Pixel, Plane, PointSquare,
-    ScreenVertex, Span, Steps,
+    depth_along, limited, plane_triangle, Gradients, Line, MidpointPath, Path, Pixel, Plane,
+    PointSquare, ScreenVertex, Span, Steps,
 };
 use crate::shade::{ColorOutput, Corner, DepthTest, Event, Fragments, Row, State, Varying};
 
@@ -93,11 +93,11 @@ pub trait Replicated: Copy {
         if Self::EXACT {
             let Some(found) = exact(&line.ends, width) else { return none };
             let (path, head) = (found.path(), found.head());
-            Stroke { line, path, head, width, pattern }.draw(frame, state, shader)
+            Stroke { line, path, head, style: *self, pattern }.draw(frame, state, shader)
         } else {
             let [a, b] = &line.ends;
             let Some(path) = MidpointPath::between(a, b) else { return none };
-            Stroke { line, path, head: None, width, pattern }.draw(frame, state, shader)
+            Stroke { line, path, head: None, style: *self, pattern }.draw(frame, state, shader)
         }
     }
 }
@@ -119,6 +119,14 @@ fn exact(ends: &[ScreenVertex; 2], width: i32) -> Option<Line> {
     Line::between(moved(a), moved(b))
 }
 
+/// Whether a line one pixel wide is sure to lie in rows (or columns) `low..high`, and the pixels
+/// beside it too.
+#[inline(always)]
+fn lies_within([a, b]: &[ScreenVertex; 2], by_columns: bool, low: i32, high: i32) -> bool {
+    let (p, q) = if by_columns { (a.y_bits(), b.y_bits()) } else { (a.x_bits(), b.x_bits()) };
+    p.min(q) >> 4 > low && (p.max(q) >> 4).wrapping_add(1) < high
+}
+
 /// The plane that has the mean of both ends' codes everywhere, rounded down.
 fn mean([a, b]: &[ScreenVertex; 2]) -> Plane {
     let sum = u32::from(a.z).wrapping_add(b.z.into());
@@ -126,18 +134,19 @@ fn mean([a, b]: &[ScreenVertex; 2]) -> Plane {
 }
 
 /// A line on its way into the frame.
-struct Stroke<'a, V: Varying, R, P> {
+struct Stroke<'a, V: Varying, R, L, P> {
     line: &'a LineDraw<'a, V>,
     path: R,
     /// The pixel about the first corner that has the corner's attributes.
     head: Option<Pixel>,
-    width: i32,
+    style: L,
     pattern: P,
 }
 
 /// Pixels of one column (or row) each, to be drawn in one go.
 struct Pixels<V: Varying, T> {
     first: Pixel,
+    last: Pixel,
     count: u32,
     by_columns: bool,
     steps: T,
@@ -148,7 +157,7 @@ struct Pixels<V: Varying, T> {
     step: V::Step,
 }
 
-impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
+impl<V: Varying, R: Path, L: Replicated, P: Pattern> Stroke<'_, V, R, L, P> {
     /// Draws it.
     ///
     /// One copy of this, with the pixel loop, is what a shader, a state and a style cost in flash.
@@ -161,6 +170,7 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         D: Supplies<Access<S>>,
     {
         let LineDraw { ends, corners, provoking, area, before } = *self.line;
+        let width = self.style.width();
         let (depth, output, _) = state.parts();
         let ends = if depth.maps() {
             ends.map(|end| ScreenVertex { z: depth.map(end.z), ..end })
@@ -189,7 +199,7 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
             let z =
                 if is_constant { mean(&ends).origin } else { u32::from(ends[0].z) << 16 | 0x8000 };
             let pattern = self.pattern.started(before);
-            for copy in 0..self.width {
+            for copy in 0..width {
                 let (x, y) = if by_columns { (0, copy) } else { (copy, 0) };
                 let first = Pixel { x: head.x.wrapping_add(x), y: head.y.wrapping_add(y) };
                 if area.contains(first.x, first.y) {
@@ -197,6 +207,7 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
                     let (steps, least_step) = (self.path.steps(from), (0, 0));
                     Pixels {
                         first,
+                        last: first,
                         count: 1,
                         by_columns,
                         steps,
@@ -215,20 +226,27 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
         } else {
             (area.left, area.right, area.top, area.bottom)
         };
-        let lowest = low.wrapping_sub(self.width).wrapping_add(1);
-        let (start, end) = limited(&self.path, from.max(left), to.min(right), lowest, high);
+        let (start, end) = (from.max(left), to.min(right));
+        let (start, end) = if width == 1 && lies_within(&ends, by_columns, low, high) {
+            (start, end)
+        } else {
+            let lowest = low.wrapping_sub(width).wrapping_add(1);
+            limited(&self.path, start, end, lowest, high)
+        };
         if start >= end {
             let event = if is_drawn { Event::Drawn } else { Event::Outside };
             return Outcome { event, pixels };
         }
         // What neither depth nor varyings ask for is not computed.
-        let triangle = plane_triangle(&ends, by_columns);
-        let gradients = if V::INTERPOLATED { Gradients::new(&triangle) } else { Gradients::NONE };
-        let z_plane = match (<Access<S>>::HAS_DEPTH, V::INTERPOLATED) {
-            (true, _) if is_constant => mean(&ends),
-            (true, true) => depth_plane(&gradients, &triangle),
-            (true, false) => lone_depth_plane(&triangle),
-            (false, _) => Plane::default(),
+        let gradients = if V::INTERPOLATED {
+            Gradients::new(&plane_triangle(&ends, by_columns))
+        } else {
+            Gradients::NONE
+        };
+        let z_plane = match <Access<S>>::HAS_DEPTH {
+            true if is_constant => mean(&ends),
+            true => depth_along(&ends, &self.path),
+            false => Plane::default(),
         };
         let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
         let [p, q] = *corners;
@@ -244,8 +262,8 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
                 at.wrapping_add(1)
             }
         };
-        for copy in 0..self.width {
-            let (mut at, end) = if self.width == 1 {
+        for copy in 0..width {
+            let (mut at, end) = if width == 1 {
                 (start, end)
             } else {
                 let (low, high) = (low.wrapping_sub(copy), high.wrapping_sub(copy));
@@ -264,14 +282,20 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
                 let mut runs = V::runs(&planes, &span);
                 let (varying, step, good) = V::run(&planes, &mut runs, &span, at);
                 stop = stop.min(good);
-                let minor = self.path.minor(at).wrapping_add(copy);
-                let first =
-                    if by_columns { Pixel { x: at, y: minor } } else { Pixel { x: minor, y: at } };
+                let pixel = |at: i32| {
+                    let minor = self.path.minor(at).wrapping_add(copy);
+                    if by_columns {
+                        Pixel { x: at, y: minor }
+                    } else {
+                        Pixel { x: minor, y: at }
+                    }
+                };
                 let behind = if forwards { at.wrapping_sub(from) } else { to.wrapping_sub(at) };
                 let number = behind.wrapping_sub(i32::from(!forwards)).wrapping_add(headed);
                 let pattern = self.pattern.started(before.wrapping_add(number.cast_unsigned()));
                 Pixels {
-                    first,
+                    first: pixel(at),
+                    last: pixel(stop.wrapping_sub(1)),
                     count: stop.wrapping_sub(at).cast_unsigned(),
                     by_columns,
                     steps: self.path.steps(at),
@@ -290,9 +314,39 @@ impl<V: Varying, R: Path, P: Pattern> Stroke<'_, V, R, P> {
 }
 
 impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
-    /// Draws them. Apart, so that the registers are the pixel loop's.
-    #[inline(never)]
+    /// Draws them.
+    #[inline(always)]
     fn draw<H, S, F, D, P>(
+        &self,
+        pattern: P,
+        forwards: bool,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+        shader: &H,
+    ) where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+        P: Pattern,
+    {
+        let stride = frame.stride();
+        let (least, _) = self.least_step;
+        // A step back across does not lead to the same place; places are below 2^13 x 2^16.
+        if stride < 2 || stride >= 1 << 16 || least < 0 && self.by_columns {
+            self.walk::<false, false, H, S, F, D, P>(pattern, forwards, frame, state, shader);
+        } else if self.by_columns {
+            self.walk::<true, false, H, S, F, D, P>(pattern, forwards, frame, state, shader);
+        } else {
+            self.walk::<true, true, H, S, F, D, P>(pattern, forwards, frame, state, shader);
+        }
+    }
+
+    /// The pixel loop. Apart, so that the registers are its own. `ORDERED` says that each pixel lies
+    /// behind the one before in the frame: then the loop ends where the frame's part that holds them
+    /// ends, without a count. `ROWS` says that there is one pixel a row.
+    #[inline(never)]
+    fn walk<const ORDERED: bool, const ROWS: bool, H, S, F, D, P>(
         &self,
         mut pattern: P,
         forwards: bool,
@@ -306,20 +360,36 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
         D: Supplies<Access<S>>,
         P: Pattern,
     {
-        let Self { first, by_columns, mut steps, mut z, z_step, mut varying, step, .. } = *self;
+        let Self { first, last, by_columns, mut steps, mut z, z_step, mut varying, step, .. } =
+            *self;
         let (depth, output, counter) = state.parts();
         let stride = frame.stride();
         let (least, sign) = self.least_step;
         let Pixel { mut x, mut y } = first;
+        let Some((pixels, mut cells, start)) = frame.all_from::<Access<S>>(x, y) else { return };
+        let (columns, rows) = (last.x.wrapping_sub(x), last.y.wrapping_sub(y));
+        let behind = start
+            .wrapping_add(columns as usize)
+            .wrapping_add(stride.wrapping_mul(rows as usize))
+            .wrapping_add(1);
+        let length = if ORDERED { behind } else { pixels.len() };
+        let Some(pixels) = pixels.get_mut(..length) else { return };
+        let Some(mut cells) = <Access<S>>::part(&mut cells, 0, length) else { return };
         let (along, across) = if by_columns { (1, stride) } else { (stride, 1) };
-        // Wrapping: steps may lead back.
-        let plain = along.wrapping_add(across.wrapping_mul(least as usize));
-        let carried = plain.wrapping_add(across.wrapping_mul(sign as usize));
-        let Some((pixels, mut cells, mut at)) = frame.all_from::<Access<S>>(x, y) else { return };
-        for _ in 0..self.count {
+        let across = across.wrapping_mul(sign as usize);
+        let least_across = least.wrapping_mul(sign).cast_unsigned();
+        let by_columns = !ROWS && by_columns;
+        let plain = along.wrapping_add(across.wrapping_mul(least_across.cast_signed() as usize));
+        // Of rows in order the steps count the place itself.
+        if ROWS {
+            steps.begin(start as u32, plain as u32);
+        }
+        let (mut at, mut count) = (start, self.count);
+        loop {
+            let place = if ROWS { steps.number() as usize } else { at };
+            let Some(pixel) = pixels.get_mut(place) else { return };
             if pattern.is_on() {
-                let Some(pixel) = pixels.get_mut(at) else { return };
-                let Some(cells) = <Access<S>>::one(&mut cells, at) else { return };
+                let Some(cells) = <Access<S>>::one(&mut cells, place) else { return };
                 shader.span(Row::<S, F, V> {
                     x,
                     y,
@@ -337,15 +407,29 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
             pattern.step(forwards);
             z = z.wrapping_add(z_step);
             varying.step(&step);
-            let carries = steps.carries();
-            let minor = least.wrapping_add(if carries { sign } else { 0 });
-            if by_columns {
-                at = at.wrapping_add(if carries { carried } else { plain });
-                (x, y) = (x.wrapping_add(1), y.wrapping_add(minor));
+            let further = if ROWS {
+                let before = steps.number();
+                steps.step();
+                steps.number().wrapping_sub(before).wrapping_sub(stride as u32)
             } else {
-                // Rows are counted downwards, so that a step carries by one: an addition with carry.
-                at = at.wrapping_add(plain).wrapping_add(carries.into());
-                (x, y) = (x.wrapping_add(minor), y.wrapping_add(1));
+                let carries = steps.carries();
+                at = at.wrapping_add(plain);
+                if carries {
+                    at = at.wrapping_add(across);
+                }
+                least_across.wrapping_add(carries.into())
+            };
+            let further = further.cast_signed().wrapping_mul(sign);
+            if by_columns {
+                (x, y) = (x.wrapping_add(1), y.wrapping_add(further));
+            } else {
+                (x, y) = (x.wrapping_add(further), y.wrapping_add(1));
+            }
+            if !ORDERED {
+                count = count.wrapping_sub(1);
+                if count == 0 {
+                    return;
+                }
             }
         }
     }

@@ -135,15 +135,14 @@ impl FogDepth {
         Self { row: row.map(number), offset: number(distance), fraction }
     }
 
-    /// The place of a position, from 0 where the table begins to 65535 where it ends.
+    /// The place of a position: 0 where the table begins, 65535 where it ends, and beyond both.
     #[inline]
-    #[allow(clippy::cast_possible_truncation, reason = "limited to 16 bits just before")]
-    pub(super) fn of(&self, position: [i16; 3]) -> u16 {
+    pub(super) fn of(&self, position: [i16; 3]) -> i32 {
         let mut sum = self.offset;
         for (factor, position) in self.row.iter().zip(position) {
             sum = sum.saturating_add(factor.saturating_mul(position.into()));
         }
-        (sum >> (self.fraction & 31)).clamp(0, 65_535) as u16
+        sum >> (self.fraction & 31)
     }
 }
 

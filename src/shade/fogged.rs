@@ -9,24 +9,34 @@ use crate::pipeline::Clip;
 
 /// Where a [`Fog`]'s formula is evaluated: [`AtVertices`] or [`AtFragments`].
 pub trait FogPlace: Copy {
-    /// What is interpolated, of the table's place at a vertex.
-    fn vertex(fog: &Fog, place: u16) -> u16;
+    /// What is interpolated, of the table's place at a vertex: 0 where the table begins, 65535 where
+    /// it ends, and beyond both.
+    fn vertex(fog: &Fog, place: i32) -> u16;
     /// How much is seen, of what was interpolated.
     fn seen(fog: &Fog, interpolated: u16) -> u16;
 }
 
-/// At vertices: what is seen is interpolated. The cheaper.
+/// At vertices: what is seen is interpolated. The cheaper, for triangles that are small beside the
+/// way in which the fog grows dense.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtVertices;
 
 /// At fragments: the distance is interpolated. The better where triangles are large.
+///
+/// # Range
+/// Vertices from 4 times the fog's reach before its start (behind the eye) to 12 times beyond it;
+/// others count as these.
+///
+/// # Rounding
+/// Distances are resolved to 1/4096 of the fog's reach.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtFragments;
 
 impl FogPlace for AtVertices {
     #[inline(always)]
-    fn vertex(fog: &Fog, place: u16) -> u16 {
-        fog.seen(place)
+    #[allow(clippy::cast_possible_truncation, reason = "limited to 16 bits just before")]
+    fn vertex(fog: &Fog, place: i32) -> u16 {
+        fog.seen(place.clamp(0, 65_535) as u16)
     }
 
     #[inline(always)]
@@ -35,15 +45,23 @@ impl FogPlace for AtVertices {
     }
 }
 
+/// The word at the fog's start, where distances are interpolated: a sixteenth of the table's places,
+/// and four times as many before the start.
+const START: i32 = 4 * 4096;
+
 impl FogPlace for AtFragments {
     #[inline(always)]
-    fn vertex(_: &Fog, place: u16) -> u16 {
-        place
+    #[allow(clippy::cast_possible_truncation, reason = "limited to 16 bits just before")]
+    fn vertex(_: &Fog, place: i32) -> u16 {
+        (place >> 4).wrapping_add(START).clamp(0, 65_535) as u16
     }
 
     #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "limited to 12 bits just before")]
     fn seen(fog: &Fog, interpolated: u16) -> u16 {
-        fog.seen(interpolated)
+        // 4096 steps from the start to the end, which is as far as the table goes.
+        let place = i32::from(interpolated).wrapping_sub(START).clamp(0, 4095);
+        fog.seen((place << 4) as u16)
     }
 }
 

@@ -279,10 +279,11 @@ mod tests {
     use crate::raster::MidpointPath;
 
     #[test]
+    #[allow(clippy::cast_possible_truncation, reason = "sixteen random bits")]
     fn depth_along_lines_is_that_of_equal_steps() {
         let mut random = Random::new(11);
         let mut side = |bits: u32| (random.word() >> (32 - bits)).cast_signed();
-        let mut check = |from: i32, to: i32, z: [u16; 2]| {
+        let check = |from: i32, to: i32, z: [u16; 2]| {
             let ends =
                 [ScreenVertex::from_bits(from, 0, z[0]), ScreenVertex::from_bits(to, 1, z[1])];
             let Some(path) = MidpointPath::between(&ends[0], &ends[1]) else { return };

@@ -333,7 +333,7 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
         let stride = frame.stride();
         let (least, _) = self.least_step;
         // A step back across does not lead to the same place; places are below 2^13 x 2^16.
-        if stride < 2 || stride >= 1 << 16 || least < 0 && self.by_columns {
+        if !(2..1 << 16).contains(&stride) || (self.by_columns && least < 0) {
             self.walk::<false, false, H, S, F, D, P>(pattern, forwards, frame, state, shader);
         } else if self.by_columns {
             self.walk::<true, false, H, S, F, D, P>(pattern, forwards, frame, state, shader);
@@ -346,6 +346,7 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
     /// behind the one before in the frame: then the loop ends where the frame's part that holds them
     /// ends, without a count. `ROWS` says that there is one pixel a row.
     #[inline(never)]
+    #[allow(clippy::cast_possible_truncation, reason = "of rows, strides are below 2^16")]
     fn walk<const ORDERED: bool, const ROWS: bool, H, S, F, D, P>(
         &self,
         mut pattern: P,

@@ -8,7 +8,7 @@ use crate::shade::Uv;
 /// A texture and how it is read.
 ///
 /// ```
-/// use microraster::texture::{Bilinear, Clamp, Sampler, Texture, TextureError};
+/// use microraster::texture::{Clamp, FineBilinear, Sampler, Texture, TextureError};
 /// use microraster::{Color, Rgb565};
 ///
 /// # fn main() -> Result<(), TextureError> {
@@ -21,7 +21,7 @@ use crate::shade::Uv;
 /// assert_eq!(blocky.sample(unit(0), unit(0)), Color::new(255, 255, 255));
 /// assert_eq!(blocky.sample(unit(4096 + 2048), unit(0)), Color::new(255, 0, 0));
 ///
-/// let smooth = Sampler::new(texture, Bilinear, Clamp, Clamp)?;
+/// let smooth = Sampler::new(texture, FineBilinear, Clamp, Clamp)?;
 /// assert_eq!(smooth.sample(unit(2048), unit(0)).green(), 127); // half way
 /// # Ok(())
 /// # }

@@ -67,7 +67,7 @@ impl Line {
         self
     }
 
-    /// The column or row of a coordinate.
+    /// The last column or row whose middle does not lie behind a coordinate.
     fn pixel(&self, axis: usize, at: i128) -> i128 {
         (at - self.look[axis]).div_euclid(PIXEL)
     }
@@ -96,9 +96,9 @@ impl Line {
         let [from, to] = [self.from, self.to].map(|end| self.pixel(axis, end[axis]));
         let step = if from <= to { 1 } else { -1 };
         let is_covered = |at: &i128| self.across(*at).is_some();
-        // An end's own column may be left out.
-        let first = [-1, 0, 1].map(|i| from + i * step).into_iter().find(is_covered)?;
-        let last = [1, 0, -1].map(|i| to + i * step).into_iter().find(is_covered)?;
+        // An end lies in this column or the next, and its own may be left out.
+        let first = (-2..=2).map(|i| from + i * step).find(is_covered)?;
+        let last = (-2..=2).map(|i| to - i * step).find(is_covered)?;
         Some([first, last])
     }
 }

@@ -4,7 +4,7 @@
 //! the direction l towards it, its strength s and its colour c:
 //!
 //! ```text
-//! Lambert      ambient material + sum of  c s  material max(n.l, 0)
+//! Lambert      ambient material + sum of  c s  material min(max(n.l, 0), 1)
 //! Blinn-Phong  emissive + ambient material
 //!              + sum of  c s (material n.l + specular max(n.h, 0)^shininess),  where n.l > 0
 //!              with h = (l + v) / |l + v|
@@ -22,7 +22,7 @@ type Vector = [f64; 3];
 pub struct Surface {
     /// Where it is, in the world.
     pub point: [f64; 3],
-    /// Its normal, of length 1.
+    /// Its normal, of length 1; as long as it is stored, if that is to be seen in diffuse light.
     pub normal: [f64; 3],
 }
 
@@ -42,6 +42,18 @@ pub struct Material {
     /// Whether a normal that points away from the eye is turned; for highlights and what comes
     /// with them.
     pub two_sided: bool,
+}
+
+impl Material {
+    /// White without highlights, under an ambient light of a fifth.
+    pub const WHITE: Self = Self {
+        ambient: [51.0; 3],
+        color: [255.0; 3],
+        specular: [0.0; 3],
+        shininess: 1.0,
+        emissive: [0.0; 3],
+        two_sided: false,
+    };
 }
 
 fn wide(v: Vec3) -> Vector {
@@ -103,7 +115,7 @@ pub fn lambert(lights: &[Light<AnyLightKind>], material: &Material, surface: &Su
     let mut sum = [0, 1, 2].map(|i| material.ambient[i] * material.color[i] / 255.0);
     for light in lights {
         let (towards, strength) = arriving(&light.kind, surface.point);
-        let share = strength * dot(surface.normal, towards).max(0.0);
+        let share = strength * dot(surface.normal, towards).clamp(0.0, 1.0);
         let color = channels(light);
         sum = [0, 1, 2].map(|i| sum[i] + share * color[i] * material.color[i] / 255.0);
     }

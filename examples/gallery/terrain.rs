@@ -52,12 +52,19 @@ pub(crate) fn fog() -> Fog {
     Fog::exponential_squared(HAZE, DENSITY)
 }
 
-/// A strip a row, each vertex with a normal and a colour.
-type Hills = Mesh<'static, (Normal, Rgb), TriangleStrip<RestartIndices<'static, u16>>>;
+/// A strip a row.
+type Strips = TriangleStrip<RestartIndices<'static, u16>>;
+
+pub(crate) const fn strips() -> Strips {
+    TriangleStrip::new(RestartIndices::new(&INDICES))
+}
+
+/// The hills, each vertex with a normal and a colour.
+type Hills = Mesh<'static, (Normal, Rgb), Strips>;
 
 pub(crate) fn hills() -> Hills {
     Mesh::new(&GROUND.positions, &GROUND.attributes)
-        .with_topology(TriangleStrip::new(RestartIndices::new(&INDICES)))
+        .with_topology(strips())
         .placed(SCALE, Vec3::ZERO)
 }
 
@@ -121,7 +128,7 @@ static HEIGHTS: [i32; WIDTH * WIDTH] = {
 const WIDTH: usize = SIDE + 2;
 
 /// A strip from row to row, each with a restart behind it.
-pub(crate) static INDICES: [u16; (SIDE - 1) * (2 * SIDE + 1)] = {
+static INDICES: [u16; (SIDE - 1) * (2 * SIDE + 1)] = {
     let (mut indices, mut i) = ([u16::MAX; (SIDE - 1) * (2 * SIDE + 1)], 0);
     while i < indices.len() {
         let (row, place) = (i / (2 * SIDE + 1), i % (2 * SIDE + 1));

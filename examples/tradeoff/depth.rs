@@ -78,7 +78,7 @@ fn draw<P: Probe>(stage: &mut Stage<'_>, probe: &mut P, ratio: f32, is_far: bool
         let camera = camera_of(is_far.then_some(NEAR * ratio));
         for column in 0..COLUMNS {
             for (shape, color) in pair(column, ratio).into_iter().zip(COLORS) {
-                let (shader, mesh) = (Flat::solid(color), shape.mesh::<()>(&[]));
+                let (shader, mesh) = (Flat::solid(color), shape.mesh(&[(); 4]));
                 measured!(probe, Pass::new(&camera).depth(Less), |pass| pass.draw(
                     &mut frame,
                     &shape.model,

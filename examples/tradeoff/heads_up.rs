@@ -6,7 +6,7 @@ use microraster::math::Angle;
 use microraster::raster::ScreenVertex;
 use microraster::{
     Add, Alpha, Average, Blend, Color, ConstantAlpha, Flat, Gouraud, LineStyle, Midpoint, Multiply,
-    Rectangle, Replace, Rgb, ScreenPass, Smooth, Stats, Thin, Wide,
+    Rectangle, Replace, Rgb, ScreenPass, Smooth, Stats, Thin,
 };
 
 use super::knob;
@@ -115,7 +115,6 @@ pub(crate) fn cases<P: Probe>() -> impl Iterator<Item = Scene<P>> {
     let lines = knob!("heads-up", "line",
         "thin" => |stage, _, probe| lines(stage, probe, Thin),
         "midpoint" => |stage, _, probe| lines(stage, probe, Midpoint),
-        "wide" => |stage, _, probe| lines(stage, probe, Wide(1)),
         "rectangle" => |stage, _, probe| lines(stage, probe, Rectangle(1)),
         "smooth" => smooth_lines::<P>,
     );

@@ -1,10 +1,12 @@
 //! Tilted planes by how often w is larger at their far edge than at the near one, and a floor that
 //! reaches from behind the eye to near the horizon.
 
-use microraster::math::{Mat4, Vec3};
+use microraster::math::{Angle, Mat4, Vec3};
+use microraster::shade::FogPlace;
 use microraster::{
-    Adaptive, Affine, Color, Corner, DrawContext, Every, Exact, Gouraud, Less, Pass, Perspective,
-    PerspectiveMode, Rgb, Shader, SmoothColor, Stats, Textured, VertexInput,
+    Adaptive, Affine, AtFragments, AtVertices, Color, Corner, DrawContext, Every, Exact, Flat, Fog,
+    Fogged, Gouraud, Less, Pass, Perspective, PerspectiveMode, Rgb, Shader, SmoothColor, Stats,
+    Textured, VertexInput,
 };
 
 use super::texture::{ByBilinear, ByFineBilinear, ByMipBilinear, ByMipNearest, ByNearest, Reading};
@@ -24,6 +26,9 @@ pub(crate) struct Plane {
     repeats: (i16, i16),
     /// One repeat is so many units: 2 to this.
     pub(crate) unit_bits: u32,
+    /// How far it is turned in the picture, in degrees: where w changes along rows, perspective has
+    /// to be corrected.
+    turn: f32,
 }
 
 const fn plane(
@@ -33,17 +38,17 @@ const fn plane(
     repeats: (i16, i16),
     unit_bits: u32,
 ) -> Plane {
-    Plane { half, near, far, repeats, unit_bits }
+    Plane { half, near, far, repeats, unit_bits, turn: 65.0 }
 }
 
-/// By the number in their scenes' names; the last is the floor.
+/// By the number in their scenes' names; the last is the floor, which is level.
 pub(crate) static PLANES: [Plane; 6] = [
     plane(0.5, (-0.38, -1.0), (0.38, -1.0), (1, 1), 12),
     plane(0.7, (-0.38, -1.0), (0.76, -2.0), (1, 2), 12),
     plane(1.0, (-0.38, -1.0), (1.52, -4.0), (2, 3), 12),
     plane(1.6, (-0.38, -1.0), (3.8, -10.0), (3, 7), 12),
     plane(3.5, (-0.38, -1.0), (19.0, -50.0), (7, 24), 10),
-    plane(60.0, (-0.6, 2.0), (-0.6, -100.0), (48, 40), 9),
+    Plane { turn: 0.0, ..plane(60.0, (-0.6, 2.0), (-0.6, -100.0), (48, 40), 9) },
 ];
 
 /// Half of what the positions of a plane span.
@@ -67,7 +72,8 @@ impl Plane {
         // From the far edge to the near one z grows as positions do.
         let scale = Vec3::new(self.half, (far_y - y) * 0.5, (z - far_z) * 0.5) * (1.0 / reach);
         let offset = Vec3::new(0.0, (y + far_y) * 0.5, (z + far_z) * 0.5);
-        Shape { positions: &POSITIONS, indices: &INDICES, scale, offset, model: Mat4::identity() }
+        let model = Mat4::rotation_z(Angle::from_degrees(self.turn));
+        Shape { positions: &POSITIONS, indices: &INDICES, scale, offset, model }
     }
 
     /// Places in the texture, in units.
@@ -149,6 +155,18 @@ fn linear<P: Probe, const I: usize>(stage: &mut Stage<'_>, _frame: u32, probe: &
     draw::<P, _, _, I>(stage, probe, &Gouraud::colored(), &COLORS)
 }
 
+/// The floor's colour is constant; all that changes is fog.
+pub(crate) const GROUND: Rgb = Rgb::new(60, 110, 40);
+pub(crate) const HAZE: Rgb = Rgb::new(210, 220, 230);
+/// How soon fog hides the floor.
+pub(crate) const DENSITY: f32 = 0.05;
+
+fn fogged<P: Probe, A: FogPlace>(stage: &mut Stage<'_>, probe: &mut P, place: A) -> Facts {
+    let fog = Fog::exponential_squared(HAZE, DENSITY);
+    let shader = Fogged::new(Flat::solid(GROUND), fog).at(place);
+    draw::<P, _, _, 5>(stage, probe, &shader, &[(); 4])
+}
+
 /// Every way of perspective on one plane.
 macro_rules! perspective {
     ($scene:literal, $number:literal) => {
@@ -214,8 +232,13 @@ pub(crate) fn cases<P: Probe>() -> impl Iterator<Item = Scene<P>> {
     ];
     let pairs = [filters!("plane-4", 2), filters!("floor", 5)];
     let colors = [colors!("plane-4", 2), colors!("plane-10", 3)];
+    let fogs = knob!("floor", "fog",
+        "vertices" => |stage, _, probe| fogged(stage, probe, AtVertices),
+        "fragments" => |stage, _, probe| fogged(stage, probe, AtFragments),
+    );
     ways.into_iter()
         .flatten()
         .chain(pairs.into_iter().flatten())
         .chain(colors.into_iter().flatten())
+        .chain(fogs)
 }

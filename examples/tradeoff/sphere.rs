@@ -232,7 +232,10 @@ impl Shader for Wide<'_> {
         (_, _, lights): &Self::Prepared,
         vertex: VertexInput<'_, Self::Vertex>,
     ) -> Corner<SmoothColor> {
-        let normal = VertexInput { attributes: &vertex.attributes.1, position: [0; 3] };
+        let (at, normal) = vertex.attributes;
+        // Light needs no more than the mesh's own steps.
+        let position = at.map(|v| rounded(v * LONG) as i16);
+        let normal = VertexInput { attributes: normal, position };
         microraster::Coloring::color(self.0, lights, normal).into()
     }
 
@@ -274,8 +277,7 @@ impl Vertices for Words {
 
 impl Vertices for Floats {
     fn draw<P: Probe>(stage: &mut Stage<'_>, probe: &mut P, is_close: bool) -> Facts {
-        let unit = Vec3::new(1.0, 1.0, 1.0);
-        let shape = Shape { positions: &[], scale: unit, ..shape(is_close) };
+        let shape = Shape { positions: &[], ..shape(is_close) };
         draw(stage, probe, &Wide(&light()), (shape, &PLACES), &view(is_close))
     }
 }
@@ -289,8 +291,8 @@ pub(crate) fn cases<P: Probe>() -> impl Iterator<Item = Scene<P>> {
     );
     let roots = knob!("sphere", "inverse-root",
         "micromath" => shiny::<P, Bits<0>>,
-        "micromath+1" => shiny::<P, Bits<1>>,
-        "micromath+2" => shiny::<P, Bits<2>>,
+        "newton-1" => shiny::<P, Bits<1>>,
+        "newton-2" => shiny::<P, Bits<2>>,
         "table" => shiny::<P, Table>,
         "exact" => shiny::<P, Exact>,
     );

@@ -177,6 +177,7 @@ fn mesh(house: &House, scenes: &mut Vec<Scene<Counter>>) -> Result<Option<Vec<u3
 fn lines_of(house: &House, board: &Board, example: &str) -> Result<(), String> {
     mesh(house, &mut Vec::new())?;
     let file = house.example(example, board)?;
+    println!("board={} compiler={}", board.name, build::compiler(board.target)?.replace(' ', "-"));
     let words = ["all".to_string()];
     let printed = emulate::run(board, &file, &house.firmware()?, &words, None)?;
     for line in printed.lines().filter(|line| !line.is_empty()) {

@@ -2,6 +2,7 @@
 //!
 //! `MICRORASTER_REWRITE_GOLDENS=1 cargo test --all-features --test goldens` writes the pictures
 //! anew; one that the `f64` renderer does not agree with is refused.
+#![cfg(feature = "std")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -1,5 +1,6 @@
 //! The reference renderer against pictures of another exact reference, and against what is known
 //! on paper.
+#![cfg(feature = "std")]
 #![allow(dead_code, reason = "what reads scenes serves another test too")]
 #![allow(
     clippy::cast_possible_truncation,

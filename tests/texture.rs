@@ -1,11 +1,12 @@
 //! Samplers against real arithmetic: every format, wrap and filter, at all sizes and extremes.
-
+#![cfg(feature = "std")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "a reference in f64, whose values are known to be small"
 )]
 
+use microraster::host::reference::TexelGrid;
 use microraster::texture::{
     Add, Alpha8, AnyEnvironment, AnyFilter, AnySampler, AnyTexture, AnyWrap, Bilinear, Clamp,
     ClampAny, Decal, Environment, Filter, FineBilinear, Footprint, Indexed4, Indexed8, Luminance8,
@@ -43,21 +44,7 @@ impl Random {
 /// A texel's channels of 0 to 255, not rounded: red, green, blue, alpha.
 type Real = [f64; 4];
 
-/// How a wrap treats a texel's number.
-fn wrapped(wrap: AnyWrap, number: f64, side: f64) -> usize {
-    let number = match wrap {
-        AnyWrap::Repeat => number.rem_euclid(side),
-        AnyWrap::Clamp => number.clamp(0.0, side - 1.0),
-        AnyWrap::Mirror => {
-            let number = number.rem_euclid(2.0 * side);
-            number.min(2.0 * side - 1.0 - number)
-        }
-        _ => panic!("a wrap without a reference"),
-    };
-    number as usize
-}
-
-/// The reference: what is asked for, and the indices of texels with their shares.
+/// Which texels are asked for.
 struct Place {
     size: [u16; 2],
     wraps: [AnyWrap; 2],
@@ -65,30 +52,22 @@ struct Place {
 }
 
 impl Place {
-    /// A coordinate in texels; exact, as it needs 43 bits.
-    fn texels(&self, axis: usize, at: i32) -> f64 {
-        f64::from(at) / f64::from(self.unit_bits + 16).exp2() * f64::from(self.size[axis])
+    fn grid(&self) -> TexelGrid {
+        let [width, height] = self.size.map(usize::from);
+        TexelGrid { width, height, wraps: self.wraps }
     }
 
-    fn index(&self, x: f64, y: f64) -> usize {
-        let [w, h] = self.size.map(f64::from);
-        wrapped(self.wraps[1], y, h) * usize::from(self.size[0]) + wrapped(self.wraps[0], x, w)
+    /// Coordinates in repeats; exact, as texels of them need 43 bits.
+    fn repeats(&self, u: i32, v: i32) -> [f64; 2] {
+        [u, v].map(|at| f64::from(at) / f64::from(self.unit_bits + 16).exp2())
     }
 
     fn nearest(&self, u: i32, v: i32) -> usize {
-        self.index(self.texels(0, u).floor(), self.texels(1, v).floor())
+        self.grid().nearest(self.repeats(u, v))
     }
 
     fn bilinear(&self, u: i32, v: i32) -> [(usize, f64); 4] {
-        let (x, y) = (self.texels(0, u) - 0.5, self.texels(1, v) - 0.5);
-        let (left, upper) = (x.floor(), y.floor());
-        let (fx, fy) = (x - left, y - upper);
-        [
-            (self.index(left, upper), (1.0 - fx) * (1.0 - fy)),
-            (self.index(left + 1.0, upper), fx * (1.0 - fy)),
-            (self.index(left, upper + 1.0), (1.0 - fx) * fy),
-            (self.index(left + 1.0, upper + 1.0), fx * fy),
-        ]
+        self.grid().bilinear(self.repeats(u, v))
     }
 }
 

@@ -28,4 +28,4 @@ pub use looks::{looks, mean_colors};
 pub use reference::Reference;
 pub use snap::Snap;
 pub use state::{DepthPrecision, State};
-pub use texture::{MipTexture, Texture};
+pub use texture::{MipTexture, TexelGrid, Texture};

@@ -60,6 +60,25 @@ impl TexelGrid {
             (self.number(right, lower), rightwards * down),
         ]
     }
+
+    /// The level of detail where coordinates change so by a pixel to the right and down: log2 of
+    /// the longer way in texels; below 0 where texels are larger than pixels.
+    ///
+    /// Source: OpenGL 4.6, section 8.14.1.
+    #[must_use]
+    pub fn detail(&self, along_x: [f64; 2], along_y: [f64; 2]) -> f64 {
+        let way = |[u, v]: [f64; 2]| (u * self.width as f64).hypot(v * self.height as f64);
+        way(along_x).max(way(along_y)).log2()
+    }
+
+    /// The number of the smaller copy, each of half the sides of the one before, that is nearest to
+    /// a level of detail: `ceil(detail + 1/2) - 1`, down to the one of a single texel.
+    #[must_use]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
+    pub fn nearest_level(&self, detail: f64) -> usize {
+        let last = self.width.max(self.height).max(1).ilog2();
+        ((detail + 0.5).ceil() - 1.0).clamp(0.0, last.into()) as usize
+    }
 }
 
 /// A picture that surfaces show: red, green, blue and alpha of its texels, 0 to 255.
@@ -93,6 +112,12 @@ impl Texture {
     #[must_use]
     pub fn grid(&self) -> TexelGrid {
         self.grid
+    }
+
+    /// Its texels by rows.
+    #[must_use]
+    pub fn texels(&self) -> &[[f64; 4]] {
+        &self.texels
     }
 
     /// The texel in which a point lies.
@@ -153,28 +178,10 @@ impl MipTexture {
         &self.levels
     }
 
-    /// The level of detail where coordinates change so by a pixel to the right and down: log2 of
-    /// the longer way in texels; below 0 where texels are larger than pixels.
-    ///
-    /// Source: OpenGL 4.6, section 8.14.1.
+    /// The copy that is nearest to a [level of detail](TexelGrid::detail).
     #[must_use]
-    pub fn detail(&self, along_x: [f64; 2], along_y: [f64; 2]) -> f64 {
-        let [width, height] = self
-            .levels
-            .first()
-            .map_or([1.0; 2], |largest| [largest.grid.width as f64, largest.grid.height as f64]);
-        let way = |[u, v]: [f64; 2]| (u * width).hypot(v * height);
-        way(along_x).max(way(along_y)).log2()
-    }
-
-    /// The copy for a level of detail: `ceil(detail + 1/2) - 1`, the one that is nearest.
-    #[must_use]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
-    pub fn level(&self, detail: f64) -> &Texture {
-        let last = self.levels.len() - 1;
-        // What is no number is 0.
-        let number = ((detail + 0.5).ceil() - 1.0).clamp(0.0, last as f64) as usize;
-        &self.levels[number]
+    pub fn nearest_level(&self, detail: f64) -> &Texture {
+        &self.levels[self.levels[0].grid.nearest_level(detail)]
     }
 
     /// The mix of the two copies between which a level of detail lies, each bilinear.
@@ -183,7 +190,7 @@ impl MipTexture {
         let last = (self.levels.len() - 1) as f64;
         let detail = detail.clamp(0.0, last);
         let (finer, t) = (detail.floor(), detail.fract());
-        let [a, b] = [finer, (finer + 1.0).min(last)].map(|level| self.level(level).bilinear(uv));
+        let [a, b] = [finer, finer + 1.0].map(|level| self.nearest_level(level).bilinear(uv));
         [0, 1, 2, 3].map(|i| a[i] + (b[i] - a[i]) * t)
     }
 }

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use microraster::{AnyBlend, Color, Format, Rgb565, Rgb565Be, Rgba8888, Supersampling};
-use reference::{colors, Color as Exact};
+use reference::{colors, Colors};
 use scenes::golden::render::{render, Written};
 use scenes::golden::{pictures, Draw, Picture, PixelFormat};
 
@@ -68,8 +68,8 @@ struct Agreement {
 /// Corners are rounded to the subpixel grid, half of 1/16 pixel by axis, and come out of the
 /// vertex stage with an error of at most as much. So a pixel shows what lies within 1/16 pixel of
 /// its centre. Looked at in 25 places: triangles may be thin.
-fn looks(number: usize) -> &'static [Vec<Exact>] {
-    static LOOKS: [OnceLock<Vec<Vec<Exact>>>; 64] = [const { OnceLock::new() }; 64];
+fn looks(number: usize) -> &'static [Colors] {
+    static LOOKS: [OnceLock<Vec<Colors>>; 64] = [const { OnceLock::new() }; 64];
     let steps = [0.0, -2.0, -1.0, 1.0, 2.0].map(|step| step / 32.0);
     LOOKS[number].get_or_init(|| {
         let picture = &pictures()[number];
@@ -77,7 +77,7 @@ fn looks(number: usize) -> &'static [Vec<Exact>] {
         // The samples of a pixel, each a picture of its own.
         let centers = (0..factor as u32).map(|i| (f64::from(i) + 0.5) / factor - 0.5);
         let samples = centers.clone().flat_map(|y| centers.clone().map(move |x| [x, y]));
-        let samples: Vec<Vec<Vec<Exact>>> = samples
+        let samples: Vec<Vec<Colors>> = samples
             .map(|[x, y]| {
                 let look = |dx: f64, dy: f64| [x + dx / factor, y + dy / factor];
                 let looks = steps.iter().flat_map(|dy| steps.map(|dx| look(dx, *dy)));
@@ -93,8 +93,8 @@ fn looks(number: usize) -> &'static [Vec<Exact>] {
 
 /// The means of samples at their centres, and where each of them is as dark and as bright as it is
 /// seen to be.
-fn means(samples: &[Vec<Vec<Exact>>]) -> Vec<Vec<Exact>> {
-    let mean = |of: &dyn Fn(&[Vec<Exact>], usize, usize) -> f64| {
+fn means(samples: &[Vec<Colors>]) -> Vec<Colors> {
+    let mean = |of: &dyn Fn(&[Colors], usize, usize) -> f64| {
         let mut canvas = samples[0][0].clone();
         for (i, color) in canvas.iter_mut().enumerate() {
             *color = [0, 1, 2].map(|k| {
@@ -103,7 +103,7 @@ fn means(samples: &[Vec<Vec<Exact>>]) -> Vec<Vec<Exact>> {
         }
         canvas
     };
-    let seen = |looks: &[Vec<Exact>], i: usize, k: usize| -> Vec<f64> {
+    let seen = |looks: &[Colors], i: usize, k: usize| -> Vec<f64> {
         looks.iter().map(|canvas| canvas[i][k]).collect()
     };
     vec![
@@ -131,12 +131,12 @@ fn stores(picture: &Picture) -> f64 {
 }
 
 /// Compares with the first of the looks, and with all of them.
-fn agreement(picture: &Picture, pixels: &[Rgb], looks: &[Vec<Exact>]) -> Agreement {
+fn agreement(picture: &Picture, pixels: &[Rgb], looks: &[Colors]) -> Agreement {
     let mut agreement = Agreement::default();
     for (i, pixel) in pixels.iter().enumerate() {
         // Colours are cut off to the format, which is up to one step, and a quarter of an 8-bit
         // step is the planes' own.
-        let is_between = |canvases: &[Vec<Exact>]| {
+        let is_between = |canvases: &[Colors]| {
             (0..3).all(|k| {
                 let seen = || canvases.iter().map(|canvas| canvas[i][k]);
                 let step = steps(picture.format)[k] * stores(picture) + 0.25;

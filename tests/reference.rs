@@ -17,7 +17,13 @@ mod folder;
 mod scene;
 mod support;
 
-#[path = "reference/analytic.rs"]
-mod analytic;
 #[path = "reference/conformance.rs"]
 mod conformance;
+#[path = "reference/coverage.rs"]
+mod coverage;
+#[path = "reference/perspective.rs"]
+mod perspective;
+#[path = "reference/shading.rs"]
+mod shading;
+#[path = "reference/states.rs"]
+mod states;

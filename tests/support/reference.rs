@@ -14,7 +14,10 @@ use crate::scenes::golden::{
 };
 
 /// A colour of 0 to 255.
-pub(crate) type Color = [f64; 3];
+type Color = [f64; 3];
+
+/// The colours of a picture, by rows.
+pub(crate) type Colors = Vec<Color>;
 
 fn channels(color: Rgb) -> Color {
     [color.r, color.g, color.b].map(f64::from)
@@ -47,7 +50,7 @@ fn opaque([r, g, b]: Color) -> Option<[f64; 4]> {
 }
 
 /// The colours of a picture as it is seen `look` pixels beside each pixel's centre.
-pub(crate) fn colors(picture: &Picture, look: [f64; 2]) -> Vec<Color> {
+pub(crate) fn colors(picture: &Picture, look: [f64; 2]) -> Colors {
     let mut canvas = Reference::new(picture.size, channels(picture.background))
         .depth_precision(DepthPrecision::Codes);
     for draw in picture.draws {

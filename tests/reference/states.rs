@@ -244,3 +244,41 @@ fn tilted_triangles_have_the_depths_of_the_crate() {
     assert!(worst[0] <= 1.0 + 0.0625 && worst[1] <= 0.5 + 0.0625, "{worst:?}");
     assert!(worst[0] > 0.5 && worst[1] > 0.4, "the bounds are no guess: {worst:?}");
 }
+
+#[test]
+fn what_is_discarded_leaves_nothing_and_counts() {
+    let vertex = |x: f64, y: f64| Vertex { position: [x, y, 700.0, 1.0], varyings: Vec::new() };
+    let vertices = [vertex(-9.0, -9.0), vertex(99.0, -9.0), vertex(-9.0, 99.0)];
+    let count = Stencil::new(AnyCompare::Always, 0).on_fail(AnyOperation::Keep);
+    let count = count.on_depth_fail(AnyOperation::Keep).on_pass(AnyOperation::IncrementWrap);
+    let state =
+        State { depth: AnyDepthState::new(AnyDepth::Less), stencil: Some(count), ..State::PLAIN };
+    let mut picture = Reference::new(SIZE, [1.5; 3]);
+    // The second primitive has a corner that is no vertex.
+    for (draw, corners) in [[0, 1, 2, 0, 1, 3], [0, 1, 3, 0, 1, 2]].iter().enumerate() {
+        picture.draw(&Draw {
+            space: Space::Window,
+            kind: Kind::Triangles,
+            vertices: &vertices,
+            corners,
+            interpolation: Interpolation::Perspective,
+            state,
+            // A chequerboard, the other way round the second time.
+            shade: &|f| ((f.x + f.y) % 2 == draw as u16).then_some([200.4, 0.0, 300.0, 0.0]),
+        });
+        let is_first = |i: usize| (i % 24 + i / 24).is_multiple_of(2);
+        for i in 0..PIXELS {
+            let drawn = match (is_first(i), draw) {
+                (true, _) => Some(0),
+                (false, 1) => Some(3),
+                (false, _) => None,
+            };
+            assert_eq!(picture.seen()[i], drawn, "pixel {i}");
+            assert_eq!(picture.stencil()[i], u8::from(drawn.is_some()), "pixel {i}");
+            assert_eq!(picture.depths()[i], if drawn.is_some() { 700.0 } else { 0.0 }, "{i}");
+            let rounded = if drawn.is_some() { [200, 0, 255] } else { [2; 3] };
+            assert_eq!(picture.rounded_colors()[i], rounded, "pixel {i}");
+            assert_eq!(picture.counts()[i], draw as u32 + 1, "pixel {i}");
+        }
+    }
+}

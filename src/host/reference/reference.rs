@@ -353,10 +353,14 @@ fn code(
         return 0.0;
     }
     let codes: Vec<f64> = corners.iter().map(|corner| in_range(depth, corner.code)).collect();
-    let sum = |weights: &[f64]| -> f64 { codes.iter().zip(weights).map(|(c, w)| c * w).sum() };
-    let code = if depth.constant { precision.mean(&codes) } else { sum(weights) };
+    let Some(first) = codes.first() else { return 0.0 };
+    // Of what a corner has more than the first: equal ones give the same everywhere.
+    let more = |weights: &[f64]| -> f64 {
+        codes.iter().zip(weights).map(|(code, weight)| (code - first) * weight).sum()
+    };
+    let code = if depth.constant { precision.mean(&codes) } else { first + more(weights) };
     let Some(slopes) = slopes else { return code };
-    let steepest = slopes.iter().map(|slopes| sum(slopes).abs()).fold(0.0, f64::max);
+    let steepest = slopes.iter().map(|slopes| more(slopes).abs()).fold(0.0, f64::max);
     let steepest = if depth.constant { 0.0 } else { steepest };
     let away = depth.offset.0.to_num::<f64>() * steepest + f64::from(depth.offset.1);
     // No corner leaves the range of codes.

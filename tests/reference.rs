@@ -1,5 +1,6 @@
 //! The reference renderer against pictures of another exact reference, and against what is known
 //! on paper.
+#![cfg(feature = "std")]
 #![allow(dead_code, reason = "what reads scenes serves another test too")]
 #![allow(
     clippy::cast_possible_truncation,
@@ -16,7 +17,13 @@ mod folder;
 mod scene;
 mod support;
 
-#[path = "reference/analytic.rs"]
-mod analytic;
 #[path = "reference/conformance.rs"]
 mod conformance;
+#[path = "reference/coverage.rs"]
+mod coverage;
+#[path = "reference/perspective.rs"]
+mod perspective;
+#[path = "reference/shading.rs"]
+mod shading;
+#[path = "reference/states.rs"]
+mod states;

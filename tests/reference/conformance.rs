@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use microraster::host::reference::{
-    self, Fragment, Interpolation, Kind, Progress, Reference, Snap, Space, State,
+    self, Fragment, Interpolation, Kind, Progress, Reference, Snap, Space, State, TexelGrid,
 };
 use microraster::texture::AnyWrap;
 use microraster::{AnyBlend, AnyDepth, AnyDepthState, Cull, Rect, Size, Winding};
@@ -36,7 +36,8 @@ fn texture(texels: &Texels) -> reference::Texture {
     };
     let wrap = if texels.repeats { AnyWrap::Repeat } else { AnyWrap::Clamp };
     let (width, height) = (texels.width.into(), texels.height.into());
-    reference::Texture::new(width, height, &colors, [wrap; 2]).expect("texels for its size")
+    let grid = TexelGrid { width, height, wraps: [wrap; 2] };
+    reference::Texture::new(grid, &colors).expect("texels for its size")
 }
 
 fn state(draw: &Draw) -> State {

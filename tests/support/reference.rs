@@ -2,7 +2,7 @@
 
 use microraster::host::reference::lighting::{lambert, Material, Surface};
 use microraster::host::reference::{
-    self, DepthPrecision, Fragment, Interpolation, Progress, Reference, Space, State, Vertex,
+    self, DepthPrecision, Fragment, Interpolation, Progress, Reference, Snap, Space, State, Vertex,
 };
 use microraster::math::{Mat4, Vec3};
 use microraster::{AnyDepth, AnyDepthState, AnyOperation, Light, Rect, Rgb, Stencil, Topology};
@@ -14,7 +14,10 @@ use crate::scenes::golden::{
 };
 
 /// A colour of 0 to 255.
-pub(crate) type Color = [f64; 3];
+type Color = [f64; 3];
+
+/// The colours of a picture, by rows.
+pub(crate) type Colors = Vec<Color>;
 
 fn channels(color: Rgb) -> Color {
     [color.r, color.g, color.b].map(f64::from)
@@ -46,10 +49,12 @@ fn opaque([r, g, b]: Color) -> Option<[f64; 4]> {
     Some([r, g, b, 255.0])
 }
 
-/// The colours of a picture as it is seen `look` pixels beside each pixel's centre.
-pub(crate) fn colors(picture: &Picture, look: [f64; 2]) -> Vec<Color> {
+/// The colours of a picture as it is seen `look` pixels beside each pixel's centre, with corners on
+/// a grid.
+pub(crate) fn colors(picture: &Picture, look: [f64; 2], snap: Snap) -> Colors {
     let mut canvas = Reference::new(picture.size, channels(picture.background))
-        .depth_precision(DepthPrecision::Codes);
+        .depth_precision(DepthPrecision::Codes)
+        .snap(snap);
     for draw in picture.draws {
         match draw {
             Draw::Mesh(draw) => {

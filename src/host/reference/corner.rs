@@ -96,3 +96,36 @@ fn in_window(vertex: &Vertex, snap: Snap) -> Corner {
     let [x, y, code, w] = vertex.position;
     Corner { place: [snap.round(x), snap.round(y)], code, w, varyings: vertex.varyings.clone() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::Rect;
+    use std::vec;
+
+    #[test]
+    fn triangles_that_share_an_edge_are_cut_at_the_same_places() {
+        let space = Space::Clip { viewport: Rect::new(0, 0, 320, 240), far: true };
+        let mut seed = 1_u64;
+        let mut number = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 40) as f64 / f64::from(1 << 24) * 2.0 - 1.0
+        };
+        let mut cut = 0;
+        for _ in 0..2_000 {
+            let mut vertex = || {
+                let position = [number(), number(), number(), number()].map(|v| v * 3.0);
+                Vertex { position, varyings: vec![number()] }
+            };
+            let [a, b, c, d] = [vertex(), vertex(), vertex(), vertex()];
+            let left = space.corners(&[a.clone(), b.clone(), c], Snap::Exact);
+            let right = space.corners(&[b.clone(), a.clone(), d], Snap::Exact);
+            for corner in space.corners(&[a, b], Snap::Exact) {
+                let has = |corners: &[Corner]| corners.iter().any(|c| c.place == corner.place);
+                assert!(has(&left) && has(&right), "{corner:?}: {left:?} {right:?}");
+                cut += 1;
+            }
+        }
+        assert!(cut > 500, "hardly tested: {cut}");
+    }
+}

@@ -85,4 +85,14 @@ impl DepthPrecision {
             Self::Codes => code.round(),
         }
     }
+
+    /// The mean of corners' codes: of whole ones, and down to one, where depths are whole codes.
+    pub(super) fn mean(self, codes: &[f64]) -> f64 {
+        let sum: f64 = codes.iter().map(|code| self.round(*code)).sum();
+        let mean = sum / codes.len() as f64;
+        match self {
+            Self::Exact => mean,
+            Self::Codes => mean.floor(),
+        }
+    }
 }

@@ -90,8 +90,8 @@ fn from_point(light: &PointLight, point: Vector) -> (Vector, f64) {
 /// | point | `1 / (constant + linear d + quadratic d^2)`, at most 1 |
 /// | spot | that, times `(cos a - outer) / (inner - outer)` as 0 to 1 |
 #[must_use]
-pub fn arriving(kind: &AnyLightKind, point: [f64; 3]) -> ([f64; 3], f64) {
-    match kind {
+pub fn arriving(light: &Light<AnyLightKind>, point: [f64; 3]) -> ([f64; 3], f64) {
+    match &light.kind {
         AnyLightKind::Directional(light) => (unit(wide(-light.direction)), 1.0),
         AnyLightKind::Point(light) => from_point(light, point),
         AnyLightKind::Spot(light) => {
@@ -114,7 +114,7 @@ fn channels(light: &Light<AnyLightKind>) -> Vector {
 pub fn lambert(lights: &[Light<AnyLightKind>], material: &Material, surface: &Surface) -> [f64; 3] {
     let mut sum = [0, 1, 2].map(|i| material.ambient[i] * material.color[i] / 255.0);
     for light in lights {
-        let (towards, strength) = arriving(&light.kind, surface.point);
+        let (towards, strength) = arriving(light, surface.point);
         let share = strength * dot(surface.normal, towards).clamp(0.0, 1.0);
         let color = channels(light);
         sum = [0, 1, 2].map(|i| sum[i] + share * color[i] * material.color[i] / 255.0);
@@ -137,7 +137,7 @@ pub fn blinn_phong(
     let own = |i: usize| material.emissive[i] + material.ambient[i] * material.color[i] / 255.0;
     let mut sum = [0, 1, 2].map(own);
     for light in lights {
-        let (towards, strength) = arriving(&light.kind, surface.point);
+        let (towards, strength) = arriving(light, surface.point);
         let facing = dot(normal, towards);
         if facing <= 0.0 {
             continue;

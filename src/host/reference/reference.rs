@@ -189,32 +189,34 @@ impl Reference {
             return;
         }
         let primitive = Primitive { front, ..primitive };
-        for (x, y) in places(self.around(corners, self.pixels(primitive.draw))) {
+        for (x, y) in places(self.around(corners, 0, primitive.draw)) {
             let place = sample(x, y, self.look);
             let Some(part) = parts.iter().find(|part| part.covers(place)) else { continue };
             let (weights, slopes) = (part.weights(place), part.slopes());
-            let code = code(state, &part.corners, &weights, Some(&slopes));
+            let code = code(state, self.precision, &part.corners, &weights, Some(&slopes));
             let [across, down] = &slopes;
             let varyings = primitive.varyings(&part.corners, &weights, [across, down]);
             self.fragment(primitive, (x, y), code, &varyings, 0);
         }
     }
 
-    /// Pixels beside all corners are not asked.
+    /// The pixels that a draw may cover within `reach` of corners: those beside are not asked.
     #[allow(clippy::cast_possible_truncation, reason = "limited to a picture's sides")]
-    fn around(&self, corners: &[Corner], pixels: Rect) -> Rect {
-        let reach = |axis: usize, from: i32, to: i32| {
-            let at = || corners.iter().map(|corner| corner.place[axis].div_euclid(PIXEL));
-            let limit = |pixel: i128| pixel.clamp(from.into(), to.into()) as i32;
-            let (low, high) = (at().min().unwrap_or(0), at().max().unwrap_or(0));
-            // A place may be looked at from the pixel beside it.
-            (limit(low - 2), limit(high + 3))
-        };
+    fn around(&self, corners: &[Corner], reach: i128, draw: &Draw<'_>) -> Rect {
+        let pixels = self.pixels(draw);
         if pixels.is_empty() {
             return pixels;
         }
-        let (left, right) = reach(0, pixels.left, pixels.right);
-        let (top, bottom) = reach(1, pixels.top, pixels.bottom);
+        let look = sample(0, 0, self.look);
+        let ends = |axis: usize, from: i32, to: i32| {
+            let at = || corners.iter().map(|corner| corner.place[axis] - look[axis]);
+            let limit = |pixel: i128| pixel.clamp(from.into(), to.into()) as i32;
+            let (low, high) = (at().min().unwrap_or(0), at().max().unwrap_or(0));
+            // Rounded outwards.
+            (limit((low - reach).div_euclid(PIXEL)), limit((high + reach).div_euclid(PIXEL) + 1))
+        };
+        let (left, right) = ends(0, pixels.left, pixels.right);
+        let (top, bottom) = ends(1, pixels.top, pixels.bottom);
         Rect { left, top, right, bottom }
     }
 
@@ -260,7 +262,7 @@ impl Reference {
                 };
                 let t = t.clamp(0.0, 1.0);
                 let weights = [1.0 - t, t];
-                let code = code(&primitive.draw.state, &ends, &weights, None);
+                let code = code(&primitive.draw.state, self.precision, &ends, &weights, None);
                 let varyings = primitive.varyings(&ends, &weights, [&[0.0; 2]; 2]);
                 let step = before + ((along - first) * direction) as u32;
                 self.fragment(primitive, pixel, code, &varyings, step);
@@ -271,14 +273,14 @@ impl Reference {
 
     fn point(&mut self, primitive: Primitive<'_>, corner: &Corner, side: f64) {
         let side = Snap::Exact.round(side);
-        for (x, y) in places(self.pixels(primitive.draw)) {
+        for (x, y) in places(self.around(std::slice::from_ref(corner), side, primitive.draw)) {
             let place = sample(x, y, self.look);
             let is_within = |axis: usize| {
                 let twice = 2 * (place[axis] - corner.place[axis]);
                 -side <= twice && twice < side
             };
             if is_within(0) && is_within(1) {
-                let code = code(&primitive.draw.state, &[corner], &[1.0], None);
+                let code = code(&primitive.draw.state, self.precision, &[corner], &[1.0], None);
                 let varyings = Varyings::constant(&corner.varyings);
                 self.fragment(primitive, (x, y), code, &varyings, 0);
             }
@@ -341,6 +343,7 @@ impl Primitive<'_> {
 /// The depth code of such weights of corners; a triangle's weights have slopes.
 fn code(
     state: &State,
+    precision: DepthPrecision,
     corners: &[&Corner],
     weights: &[f64],
     slopes: Option<&[[f64; 3]; 2]>,
@@ -350,11 +353,14 @@ fn code(
         return 0.0;
     }
     let codes: Vec<f64> = corners.iter().map(|corner| in_range(depth, corner.code)).collect();
-    let sum = |weights: &[f64]| -> f64 { codes.iter().zip(weights).map(|(c, w)| c * w).sum() };
-    let mean = || (codes.iter().sum::<f64>() / codes.len() as f64).floor();
-    let code = if depth.constant { mean() } else { sum(weights) };
+    let Some(first) = codes.first() else { return 0.0 };
+    // Of what a corner has more than the first: equal ones give the same everywhere.
+    let more = |weights: &[f64]| -> f64 {
+        codes.iter().zip(weights).map(|(code, weight)| (code - first) * weight).sum()
+    };
+    let code = if depth.constant { precision.mean(&codes) } else { first + more(weights) };
     let Some(slopes) = slopes else { return code };
-    let steepest = slopes.iter().map(|slopes| sum(slopes).abs()).fold(0.0, f64::max);
+    let steepest = slopes.iter().map(|slopes| more(slopes).abs()).fold(0.0, f64::max);
     let steepest = if depth.constant { 0.0 } else { steepest };
     let away = depth.offset.0.to_num::<f64>() * steepest + f64::from(depth.offset.1);
     // No corner leaves the range of codes.

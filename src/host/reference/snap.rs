@@ -3,6 +3,11 @@
 /// # Rounding
 /// To the nearest point of the grid. What lies half way goes right and, from clip space, up, as
 /// the crate's own vertices do; what comes in pixels goes right and down.
+///
+/// # Range
+/// The crate also cuts triangles that reach beyond its guard box, 4096 pixels from the viewport's
+/// middle, and rounds the corners of the cut; this is not done here. Nothing may be farther than
+/// 2^34 pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Snap {
     /// So many fraction bits of a pixel, at most 24: the crate's grid has 4.

@@ -46,6 +46,7 @@ pub enum DepthPrecision {
     /// As `f64` has it.
     #[default]
     Exact,
-    /// A pixel's depth is rounded to a whole code before it is compared and stored.
+    /// A pixel's depth is rounded to a whole code before it is compared and stored; where depth is
+    /// constant, so are the corners', and their mean is cut off to one.
     Codes,
 }

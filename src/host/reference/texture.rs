@@ -3,18 +3,18 @@ use std::vec::Vec;
 
 use crate::texture::AnyWrap;
 
-/// A picture that surfaces show: red, green, blue and alpha of its texels, 0 to 255.
+/// Where texels lie, and what is seen beyond them.
 ///
-/// Coordinates count repeats: u and v of 0 to 1 run over the whole picture, to the right and down.
-/// Sides may have any length; `Clamp` then does what the crate's `ClampAny` does.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Texture {
-    width: usize,
-    height: usize,
-    /// By rows.
-    texels: Vec<[f64; 4]>,
-    /// Across and down.
-    wraps: [AnyWrap; 2],
+/// Coordinates count repeats: u and v of 0 to 1 run over all texels, to the right and down. Sides
+/// may have any length; `Clamp` then does what the crate's `ClampAny` does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TexelGrid {
+    /// Texels in a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Beyond the sides, across and down.
+    pub wraps: [AnyWrap; 2],
 }
 
 /// The number of a texel, which may lie outside, as one of `0..length`.
@@ -24,74 +24,122 @@ fn wrapped(wrap: AnyWrap, number: f64, length: usize) -> usize {
     let inside = match wrap {
         AnyWrap::Repeat => number.rem_euclid(side),
         AnyWrap::Mirror => {
-            let twice = number.rem_euclid(2.0 * side);
-            if twice < side {
-                twice
-            } else {
-                2.0 * side - 1.0 - twice
-            }
+            let number = number.rem_euclid(2.0 * side);
+            number.min(2.0 * side - 1.0 - number)
         }
         AnyWrap::Clamp => number,
     };
     inside.clamp(0.0, side - 1.0) as usize
 }
 
-impl Texture {
-    /// A picture by rows, and what it shows beyond its sides. `None` if it has no texels, or not
-    /// `width` times `height` of them.
-    #[must_use]
-    pub fn new(
-        width: usize,
-        height: usize,
-        texels: &[[f64; 4]],
-        wraps: [AnyWrap; 2],
-    ) -> Option<Self> {
-        let fits = !texels.is_empty() && width.checked_mul(height) == Some(texels.len());
-        fits.then(|| Self { width, height, texels: texels.to_vec(), wraps })
-    }
-
-    /// Texels in a row.
-    #[must_use]
-    pub fn width(&self) -> usize {
-        self.width
-    }
-
-    /// Rows.
-    #[must_use]
-    pub fn height(&self) -> usize {
-        self.height
-    }
-
-    /// The texel of whole numbers, which may lie outside.
-    fn texel(&self, column: f64, row: f64) -> [f64; 4] {
+impl TexelGrid {
+    /// The number of the texel in a column and a row that may lie outside; texels are counted by
+    /// rows.
+    fn number(&self, column: f64, row: f64) -> usize {
         let column = wrapped(self.wraps[0], column, self.width);
-        let row = wrapped(self.wraps[1], row, self.height);
-        self.texels[row * self.width + column]
+        wrapped(self.wraps[1], row, self.height) * self.width + column
     }
 
     /// The texel in which a point lies: column `floor(u width)` of row `floor(v height)`.
     #[must_use]
-    pub fn nearest(&self, [u, v]: [f64; 2]) -> [f64; 4] {
-        self.texel((u * self.width as f64).floor(), (v * self.height as f64).floor())
+    pub fn nearest(&self, [u, v]: [f64; 2]) -> usize {
+        self.number((u * self.width as f64).floor(), (v * self.height as f64).floor())
+    }
+
+    /// The four texels whose middles lie around a point, and their shares, which are 1 together.
+    #[must_use]
+    pub fn bilinear(&self, [u, v]: [f64; 2]) -> [(usize, f64); 4] {
+        let (x, y) = (u * self.width as f64 - 0.5, v * self.height as f64 - 0.5);
+        let (left, upper) = (x.floor(), y.floor());
+        let (right, lower) = (left + 1.0, upper + 1.0);
+        let (rightwards, down) = (x - left, y - upper);
+        [
+            (self.number(left, upper), (1.0 - rightwards) * (1.0 - down)),
+            (self.number(right, upper), rightwards * (1.0 - down)),
+            (self.number(left, lower), (1.0 - rightwards) * down),
+            (self.number(right, lower), rightwards * down),
+        ]
+    }
+
+    /// The level of detail where coordinates change so by a pixel to the right and down: log2 of
+    /// the longer way in texels; below 0 where texels are larger than pixels.
+    ///
+    /// Source: OpenGL 4.6, section 8.14.1.
+    #[must_use]
+    pub fn detail(&self, along_x: [f64; 2], along_y: [f64; 2]) -> f64 {
+        let way = |[u, v]: [f64; 2]| (u * self.width as f64).hypot(v * self.height as f64);
+        way(along_x).max(way(along_y)).log2()
+    }
+
+    /// The number of the smaller copy, each of half the sides of the one before, that is nearest to
+    /// a level of detail: `ceil(detail + 1/2) - 1`, down to the one of a single texel.
+    #[must_use]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
+    pub fn nearest_level(&self, detail: f64) -> usize {
+        let last = self.width.max(self.height).max(1).ilog2();
+        ((detail + 0.5).ceil() - 1.0).clamp(0.0, last.into()) as usize
+    }
+}
+
+/// A picture that surfaces show: red, green, blue and alpha of its texels, 0 to 255.
+///
+/// ```
+/// use microraster::host::reference::{TexelGrid, Texture};
+/// use microraster::texture::AnyWrap;
+///
+/// let grid = TexelGrid { width: 2, height: 1, wraps: [AnyWrap::Clamp; 2] };
+/// let texture = Texture::new(grid, &[[0.0; 4], [255.0; 4]]).expect("two texels");
+/// assert_eq!(texture.nearest([0.5, 0.5]), [255.0; 4]);
+/// assert_eq!(texture.bilinear([0.5, 0.5]), [127.5; 4]);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texture {
+    grid: TexelGrid,
+    /// By rows.
+    texels: Vec<[f64; 4]>,
+}
+
+impl Texture {
+    /// A picture by rows. `None` if it has no texels, or not as many as the grid.
+    #[must_use]
+    pub fn new(grid: TexelGrid, texels: &[[f64; 4]]) -> Option<Self> {
+        let TexelGrid { width, height, .. } = grid;
+        let fits = !texels.is_empty() && width.checked_mul(height) == Some(texels.len());
+        fits.then(|| Self { grid, texels: texels.to_vec() })
+    }
+
+    /// Where its texels lie.
+    #[must_use]
+    pub fn grid(&self) -> TexelGrid {
+        self.grid
+    }
+
+    /// Its texels by rows.
+    #[must_use]
+    pub fn texels(&self) -> &[[f64; 4]] {
+        &self.texels
+    }
+
+    /// The texel in which a point lies.
+    #[must_use]
+    pub fn nearest(&self, uv: [f64; 2]) -> [f64; 4] {
+        self.texels[self.grid.nearest(uv)]
     }
 
     /// The mix of the four texels whose middles lie around a point.
     #[must_use]
-    pub fn bilinear(&self, [u, v]: [f64; 2]) -> [f64; 4] {
-        let (x, y) = (u * self.width as f64 - 0.5, v * self.height as f64 - 0.5);
-        let (left, upper) = (x.floor(), y.floor());
-        let mix = |a: [f64; 4], b: [f64; 4], t: f64| [0, 1, 2, 3].map(|i| a[i] + (b[i] - a[i]) * t);
-        let row = |row: f64| mix(self.texel(left, row), self.texel(left + 1.0, row), x - left);
-        mix(row(upper), row(upper + 1.0), y - upper)
+    pub fn bilinear(&self, uv: [f64; 2]) -> [f64; 4] {
+        let four = self.grid.bilinear(uv);
+        [0, 1, 2, 3].map(|i| four.iter().map(|(texel, share)| self.texels[*texel][i] * share).sum())
     }
 
     /// The picture of half the sides, at least 1: each texel the mean of the four (or two) that it
     /// takes the place of. A side that is odd loses its last column or row.
     #[must_use]
     pub fn halved(&self) -> Self {
-        let (width, height) = ((self.width / 2).max(1), (self.height / 2).max(1));
+        let (width, height) = ((self.grid.width / 2).max(1), (self.grid.height / 2).max(1));
         let at = |x: usize, y: usize| {
-            self.texels[y.min(self.height - 1) * self.width + x.min(self.width - 1)]
+            self.texels[y.min(self.grid.height - 1) * self.grid.width + x.min(self.grid.width - 1)]
         };
         let mut texels = vec![[0.0; 4]; width * height];
         for (i, texel) in texels.iter_mut().enumerate() {
@@ -99,7 +147,7 @@ impl Texture {
             let four = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
             *texel = [0, 1, 2, 3].map(|k| four.iter().map(|texel| texel[k]).sum::<f64>() / 4.0);
         }
-        Self { width, height, texels, wraps: self.wraps }
+        Self { grid: TexelGrid { width, height, ..self.grid }, texels }
     }
 }
 
@@ -115,7 +163,9 @@ impl MipTexture {
     #[must_use]
     pub fn new(texture: Texture) -> Self {
         let mut levels = vec![texture];
-        while let Some(last) = levels.last().filter(|last| last.width.max(last.height) > 1) {
+        while let Some(last) =
+            levels.last().filter(|last| last.grid.width.max(last.grid.height) > 1)
+        {
             let next = last.halved();
             levels.push(next);
         }
@@ -128,28 +178,10 @@ impl MipTexture {
         &self.levels
     }
 
-    /// The level of detail where coordinates change so by a pixel to the right and down: log2 of
-    /// the longer way in texels; below 0 where texels are larger than pixels.
-    ///
-    /// Source: OpenGL 4.6, section 8.14.1.
+    /// The copy that is nearest to a [level of detail](TexelGrid::detail).
     #[must_use]
-    pub fn detail(&self, along_x: [f64; 2], along_y: [f64; 2]) -> f64 {
-        let [width, height] = self
-            .levels
-            .first()
-            .map_or([1.0; 2], |largest| [largest.width as f64, largest.height as f64]);
-        let way = |[u, v]: [f64; 2]| (u * width).hypot(v * height);
-        way(along_x).max(way(along_y)).log2()
-    }
-
-    /// The copy for a level of detail: `ceil(detail + 1/2) - 1`, the one that is nearest.
-    #[must_use]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
-    pub fn level(&self, detail: f64) -> &Texture {
-        let last = self.levels.len() - 1;
-        // What is no number is 0.
-        let number = ((detail + 0.5).ceil() - 1.0).clamp(0.0, last as f64) as usize;
-        &self.levels[number]
+    pub fn nearest_level(&self, detail: f64) -> &Texture {
+        &self.levels[self.levels[0].grid.nearest_level(detail)]
     }
 
     /// The mix of the two copies between which a level of detail lies, each bilinear.
@@ -158,7 +190,7 @@ impl MipTexture {
         let last = (self.levels.len() - 1) as f64;
         let detail = detail.clamp(0.0, last);
         let (finer, t) = (detail.floor(), detail.fract());
-        let [a, b] = [finer, (finer + 1.0).min(last)].map(|level| self.level(level).bilinear(uv));
+        let [a, b] = [finer, finer + 1.0].map(|level| self.nearest_level(level).bilinear(uv));
         [0, 1, 2, 3].map(|i| a[i] + (b[i] - a[i]) * t)
     }
 }

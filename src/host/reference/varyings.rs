@@ -33,26 +33,23 @@ impl Varyings {
         let sum = |weights: &[f64], value: &dyn Fn(&Corner) -> f64| -> f64 {
             corners.iter().zip(weights).map(|(corner, weight)| weight * value(corner)).sum()
         };
-        let below = |weights: &[f64]| {
-            if in_perspective {
-                sum(weights, &share)
-            } else {
-                weights.iter().sum()
-            }
-        };
+        let varying = |corner: &Corner, i: usize| corner.varyings.get(i).copied().unwrap_or(0.0);
+        let Some(first) = corners.first() else { return Self::default() };
+        // Both linear functions; the upper one of what a corner has more than the first, so that
+        // what is the same at all corners is so everywhere.
         let above = |weights: &[f64], i: usize| {
-            sum(weights, &|corner| corner.varyings.get(i).copied().unwrap_or(0.0) * share(corner))
+            sum(weights, &|corner| (varying(corner, i) - varying(first, i)) * share(corner))
         };
-        let count = corners.first().map_or(0, |corner| corner.varyings.len());
+        let below = |weights: &[f64]| sum(weights, &share);
         let divisor = below(weights);
-        let here: Vec<f64> = (0..count).map(|i| above(weights, i) / divisor).collect();
+        let more: Vec<f64> =
+            (0..first.varyings.len()).map(|i| above(weights, i) / divisor).collect();
         let along = slopes.map(|slopes| {
             let change = below(slopes);
-            here.iter()
-                .enumerate()
-                .map(|(i, here)| (above(slopes, i) - here * change) / divisor)
-                .collect()
+            let slope = |(i, more): (usize, &f64)| (above(slopes, i) - more * change) / divisor;
+            more.iter().enumerate().map(slope).collect()
         });
+        let here = more.iter().enumerate().map(|(i, more)| varying(first, i) + more).collect();
         Self { here, along }
     }
 }

@@ -5,6 +5,7 @@ mod advice;
 mod bunny;
 mod case;
 mod costs;
+mod doc_lines;
 mod document;
 mod drawing;
 mod errors;

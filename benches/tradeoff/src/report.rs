@@ -14,7 +14,7 @@ use crate::scenes::gallery::pictures::terrain;
 use crate::scenes::standard::camera;
 use crate::scenes::Model;
 use crate::truth::{Key, Truths};
-use crate::{bunny, plot, side_by_side, subpixels, table, texels, tradeoff};
+use crate::{bunny, doc_lines, plot, side_by_side, subpixels, table, texels, tradeoff};
 
 /// The largest error of each knob so far.
 #[derive(Debug)]
@@ -136,7 +136,8 @@ impl Report {
         document.put("positions", &subpixels::with_positions(&mut self.truths))?;
         document.put("plots", &self.plots(&folder)?)?;
         document.put("pictures", &self.pictures(&folder)?)?;
-        document.write()
+        document.write()?;
+        doc_lines::renew(&root.join("src"), &self.rows)
     }
 
     /// For each knob, its tables by scene.

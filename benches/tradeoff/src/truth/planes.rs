@@ -2,7 +2,7 @@
 
 use microraster::host::reference::compare::rgb565;
 use microraster::host::reference::{
-    Draw, Fog, Fragment, Interpolation, Kind, Reference, State, Texture,
+    Draw, Fog, Fragment, Interpolation, Kind, Reference, State, TexelGrid, Texture,
 };
 use microraster::texture::AnyWrap;
 
@@ -23,9 +23,10 @@ pub(crate) fn plane_of(scene: &str) -> Option<(usize, &'static Plane)> {
 /// The largest picture of the texture.
 fn texture() -> Option<Texture> {
     let side = usize::from(SIDE);
+    let grid = TexelGrid { width: side, height: side, wraps: [AnyWrap::Repeat; 2] };
     let texels: Vec<_> =
         WORDS_OF_LEVELS.iter().take(side * side).map(|word| opaque(rgb565(*word))).collect();
-    Texture::new(side, side, &texels, [AnyWrap::Repeat; 2])
+    Texture::new(grid, &texels)
 }
 
 pub(super) fn plane(scene: &str, shading: &Shading, picture: &mut Reference) {

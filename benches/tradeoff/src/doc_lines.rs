@@ -58,7 +58,7 @@ fn renewed(text: &str, rows: &[Row]) -> Result<Option<String>, String> {
     let mut lines = text.split('\n').map(str::to_owned).collect::<Vec<_>>();
     for at in 0..lines.len() {
         let Some((indent, rest)) = lines[at].split_once(MARK) else { continue };
-        let name = rest.trim_end_matches(" -->");
+        let (indent, name) = (indent.to_owned(), rest.trim_end_matches(" -->").to_owned());
         let Some(row) = rows.iter().find(|row| row.case.name() == name) else {
             return Err(format!("there is no case `{name}`"));
         };

@@ -10,6 +10,9 @@ mod document;
 mod drawing;
 mod errors;
 mod memory;
+#[path = "../../../src/bin/microraster/firmware/mesh_file.rs"]
+#[allow(dead_code, reason = "the firmware command writes the file; this tool reads its words")]
+mod mesh_file;
 mod plot;
 mod report;
 mod row;

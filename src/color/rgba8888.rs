@@ -1,6 +1,10 @@
 use super::{fill_words, Color, Format, EIGHTS};
 
 /// Thirty-two bits a pixel: the bytes red, green, blue, 255 in memory on every machine.
+///
+/// # Measured
+/// <!-- tradeoff: teapot/format=rgba8888 -->
+/// `teapot`: 1.71 M on M4F, 3.06 M on M0+, 1.87 M on RV32 instructions a frame; colours 45.7 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rgba8888;
 

@@ -17,6 +17,13 @@ const SHADED: u32 = 1 << 31;
 /// let cache = VertexCache::<Corner<SmoothColor>, 64>::new();
 /// assert_eq!(core::mem::size_of_val(&cache), 64 * (4 + 8 + 8));
 /// ```
+///
+/// # Measured
+/// <!-- tradeoff: bunny/cache=32 -->
+/// `bunny`: 4.21 M on M4F, 8.56 M on M0+, 5.32 M on RV32 instructions a frame; colours 42.6 dB from the reference.
+///
+/// <!-- tradeoff: bunny/cache=2048 -->
+/// `bunny`: 2.87 M on M4F, 5.41 M on M0+, 3.32 M on RV32 instructions a frame; colours 42.6 dB from the reference.
 #[derive(Clone, Debug)]
 pub struct VertexCache<C, const N: usize> {
     entries: [Entry; N],

@@ -3,6 +3,13 @@ use crate::frame::Frame;
 use crate::shade::Dither;
 
 /// Samples of a pixel, across and down.
+///
+/// # Measured
+/// <!-- tradeoff: teapot/samples=2x2 -->
+/// `teapot`: 15.85 M on M4F, 23.55 M on M0+, 15.81 M on RV32 instructions a frame; colours 40.7 dB from the reference.
+///
+/// <!-- tradeoff: teapot/samples=4x4 -->
+/// `teapot`: 44.04 M on M4F, 74.50 M on M0+, 50.18 M on RV32 instructions a frame; colours 42.1 dB from the reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Supersampling {
     /// 2 x 2.

@@ -19,6 +19,10 @@ use crate::math::Vec3;
 /// # Range
 /// Any lengths: triangles whose vertices do not exist are skipped when they are drawn, and
 /// counted where counting is asked for.
+///
+/// # Measured
+/// <!-- tradeoff: sphere-close/vertices=i16 -->
+/// `sphere-close`: 1.90 M on M4F, 3.41 M on M0+, 2.21 M on RV32 instructions a frame; colours 45.2 dB from the reference.
 #[derive(Clone, Copy, Debug)]
 pub struct Mesh<'a, A, T = List> {
     pub(crate) topology: T,

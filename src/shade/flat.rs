@@ -9,6 +9,10 @@ use crate::scene::Light;
 ///
 /// # Cost
 /// Only one of a triangle's corners is lit; without depth, pixels are filled by whole words.
+///
+/// # Measured
+/// <!-- tradeoff: teapot/normals=face -->
+/// `teapot`: 1.22 M on M4F, 1.95 M on M0+, 1.24 M on RV32 instructions a frame; colours 23.2 dB from the reference.
 #[derive(Clone, Copy, Debug)]
 pub struct Flat<C>(C);
 

@@ -18,6 +18,10 @@ pub trait FogPlace: Copy {
 
 /// At vertices: what is seen is interpolated. The cheaper, for triangles that are small beside the
 /// way in which the fog grows dense.
+///
+/// # Measured
+/// <!-- tradeoff: floor/fog=vertices -->
+/// `floor`: 41.2 on M4F, 65.9 on M0+, 38.3 on RV32 instructions a pixel; colours 24.5 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtVertices;
 
@@ -29,6 +33,10 @@ pub struct AtVertices;
 ///
 /// # Rounding
 /// Distances are resolved to 1/4096 of the fog's reach.
+///
+/// # Measured
+/// <!-- tradeoff: floor/fog=fragments -->
+/// `floor`: 64.1 on M4F, 93.8 on M0+, 60.4 on RV32 instructions a pixel; colours 43.1 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtFragments;
 

@@ -9,6 +9,10 @@ use crate::scene::Light;
 ///
 /// Source: H. Gouraud, *Continuous Shading of Curved Surfaces*, IEEE Transactions on Computers
 /// C-20 (1971).
+///
+/// # Measured
+/// <!-- tradeoff: teapot/normals=vertex -->
+/// `teapot`: 1.71 M on M4F, 3.02 M on M0+, 1.87 M on RV32 instructions a frame; colours 37.2 dB from the reference.
 #[derive(Clone, Copy, Debug)]
 pub struct Gouraud<C>(C);
 

@@ -28,6 +28,10 @@ use crate::scene::Normal;
 ///
 /// # Cost
 /// That of a vertex's light, for each fragment, and six words to interpolate.
+///
+/// # Measured
+/// <!-- tradeoff: teapot/normals=pixel -->
+/// `teapot`: 11.07 M on M4F, 21.81 M on M0+, 15.17 M on RV32 instructions a frame; colours 40.8 dB from the reference.
 #[derive(Clone, Copy, Debug)]
 pub struct Phong<L, M = Adaptive> {
     lighting: L,

@@ -11,6 +11,10 @@ use crate::raster::{Gradients, Plane, PointSquare, Slopes, Span};
 /// across, they stray by at most a quarter of an 8-bit step and, starting half a step inside of
 /// their range, never leave it. Larger triangles have planes of 8.24 too, on which the shared one
 /// is settled for each piece of a row.
+///
+/// # Measured
+/// <!-- tradeoff: plane-10/colour=linear -->
+/// `plane-10`: 19.3 on M4F, 29.9 on M0+, 19.7 on RV32 instructions a pixel; colours 14.6 dB from the reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SmoothColor(Color);
 

@@ -48,12 +48,12 @@ fn spread(labels: &mut [Label], height: i32) {
 ///
 /// # Errors
 /// The file cannot be written.
-pub(crate) fn draw(scene: &str, board: usize, rows: &[&Row], file: &Path) -> Result<(), String> {
-    plot(scene, board, rows, file).map_err(|why| format!("{}: {why}", file.display()))
+pub(crate) fn draw(title: &str, board: usize, rows: &[&Row], file: &Path) -> Result<(), String> {
+    plot(title, board, rows, file).map_err(|why| format!("{}: {why}", file.display()))
 }
 
 fn plot(
-    scene: &str,
+    title: &str,
     board: usize,
     rows: &[&Row],
     file: &Path,
@@ -64,27 +64,29 @@ fn plot(
     let (low, high) = (costs().fold(f64::MAX, f64::min), costs().fold(0.0, f64::max));
     let errors = || rows.iter().map(|row| ideal(row));
     let (least, most) = (errors().fold(f64::MAX, f64::min), errors().fold(0.0, f64::max));
-    let margin = (most - least).max(1.0) * 0.08;
 
     let area = SVGBackend::new(file, SIZE).into_drawing_area();
     area.fill(&WHITE)?;
     let name = BOARDS.get(board).map_or("", |(_, name)| name);
     let mut chart = ChartBuilder::on(&area)
-        .caption(format!("{scene} on {name}"), (FONT, 20).into_font().color(&INK))
+        .caption(format!("{title} on {name}"), (FONT, 20).into_font().color(&INK))
         .margin(12)
         .margin_right(130)
         .x_label_area_size(42)
         .y_label_area_size(60)
         .build_cartesian_2d(
             (low * 0.9..high * 1.12).log_scale(),
-            (least - margin).max(0.0)..most + margin,
+            (least.max(0.1) * 0.9..most.max(1.0) * 1.15).log_scale(),
         )?;
     chart
         .configure_mesh()
         .light_line_style(WHITE.mix(0.0))
+        .x_labels(6)
+        .y_labels(8)
         .x_desc("instructions a frame")
         .y_desc("difference from the ideal, root mean square of 255")
         .x_label_formatter(&|count| crate::table::millions(count.round() as u64))
+        .y_label_formatter(&|error| crate::table::number(*error))
         .label_style((FONT, 13).into_font().color(&INK))
         .axis_desc_style((FONT, 14).into_font().color(&INK))
         .draw()?;
@@ -99,14 +101,21 @@ fn plot(
     });
     chart.draw_series(LineSeries::new(steps, FRONT.stroke_width(2)))?;
 
+    let several = rows.iter().any(|row| row.case.knobs != rows[0].case.knobs);
     let mut labels = Vec::new();
-    // Settings of several knobs that are one and the same picture share a point.
+    // Settings of several knobs that are one and the same picture share a point, and so do all
+    // that are the default.
     let mut points: Vec<(&Row, String)> = Vec::new();
     for row in rows {
-        let text = if row.case.is_default() { "default".into() } else { row.case.setting() };
-        let same = points
-            .iter_mut()
-            .find(|(other, _)| other.cost == row.cost && (ideal(other) - ideal(row)).abs() < 1e-9);
+        let text = match (row.case.is_default(), row.case.knobs.as_slice()) {
+            (true, _) => "default".into(),
+            (false, [knob]) if several => format!("{knob} {}", row.case.setting()),
+            _ => row.case.setting(),
+        };
+        let same = points.iter_mut().find(|(other, known)| {
+            let is_equal = other.cost == row.cost && (ideal(other) - ideal(row)).abs() < 1e-9;
+            is_equal || (text == "default" && known.starts_with("default"))
+        });
         match same {
             Some((_, known)) if known.split(", ").any(|part| part == text) => {}
             Some((_, known)) => *known = format!("{known}, {text}"),

@@ -163,7 +163,8 @@ impl Report {
     /// Which defaults are beaten, and by what.
     fn defaults(&self) -> String {
         let mut lines = Vec::new();
-        for row in self.rows.iter().filter(|row| row.case.is_default()) {
+        let traded = |row: &&Row| row.case.is_default() && is_traded(&row.case);
+        for row in self.rows.iter().filter(traded) {
             let group: Vec<&Row> =
                 self.rows.iter().filter(|other| other.group() == row.group()).collect();
             if !is_on_front(row, &group, Row::error) {
@@ -188,27 +189,31 @@ impl Report {
         }
     }
 
+    /// A plot for each picture that settings are to come near to, and each board.
     fn plots(&self, folder: &Path) -> Result<String, String> {
-        let mut scenes: Vec<&str> = self.rows.iter().map(|row| row.case.scene.as_str()).collect();
-        scenes.dedup();
-        let mut seen: Vec<&str> = Vec::new();
-        let mut links = Vec::new();
-        for scene in scenes {
-            // Blending makes other pictures, not better ones; ranges are compared in their table.
-            if seen.contains(&scene) || scene == "range" {
-                continue;
+        // Blending makes other pictures, not better ones; ranges are compared in their table.
+        let plotted = |row: &&Row| row.case.scene != "range" && row.case.knob() != "blend";
+        let mut keys: Vec<Key> = Vec::new();
+        for row in self.rows.iter().filter(plotted) {
+            let key = Key::ideal(&row.case);
+            if !keys.contains(&key) {
+                keys.push(key);
             }
-            seen.push(scene);
-            let rows: Vec<&Row> = self
-                .rows
-                .iter()
-                .filter(|row| row.case.scene == scene && row.case.knob() != "blend")
-                .collect();
+        }
+        let mut links = Vec::new();
+        for key in keys {
+            let of_key = |row: &&Row| Key::ideal(&row.case) == key;
+            let rows: Vec<&Row> = self.rows.iter().filter(plotted).filter(of_key).collect();
+            // A scene that is shown in several ways, such as in colours instead of a texture.
+            let knob = rows.first().map(|row| row.case.knob()).unwrap_or_default();
+            let others = self.rows.iter().filter(plotted).find(|row| row.case.scene == key.scene);
+            let is_first = others.is_some_and(|row| Key::ideal(&row.case) == key);
+            let title = if is_first { key.scene.clone() } else { format!("{}-{knob}", key.scene) };
             for (board, (short, name)) in BOARDS.iter().enumerate() {
-                let file = format!("{scene}-{short}.svg");
-                plot::draw(scene, board, &rows, &folder.join(&file))?;
+                let file = format!("{title}-{short}.svg");
+                plot::draw(&title, board, &rows, &folder.join(&file))?;
                 if board < 2 {
-                    links.push(format!("![{scene} on {name}](tradeoff/{file})"));
+                    links.push(format!("![{title} on {name}](tradeoff/{file})"));
                 }
             }
         }
@@ -229,6 +234,12 @@ impl Report {
         }
         Ok(links.join("\n\n"))
     }
+}
+
+/// Whether the settings of a knob are the same picture, more or less exactly. Without depth, and in
+/// other ways of blending, they are others as soon as surfaces overlap.
+pub(crate) fn is_traded(case: &Case) -> bool {
+    case.knobs.iter().all(|knob| knob != "depth" && knob != "blend") || case.knobs.len() > 1
 }
 
 /// The cost of a case; its picture must be the host's.

@@ -13,10 +13,12 @@ const BITS: [u32; 7] = [2, 3, 4, 5, 6, 7, 8];
 const POSITIONS: [(&str, Option<u32>); 3] =
     [("8 bits", Some(127)), ("16 bits", Some(32_767)), ("f32", None)];
 
-/// Farthest a coordinate may lie from the picture's middle, in pixels, so that edge values of two
-/// differences fit 31 bits and a sign: 4096 at the crate's four bits, half of it with each bit more.
+/// Farthest a coordinate may lie from the picture's middle, in pixels, so that edge functions fit
+/// 30 bits and a sign: 4096 at the crate's four bits, as `GUARD` says. An edge value is at most the
+/// square of twice that, times the steps of a pixel.
 fn reach(bits: u32) -> u32 {
-    (4096_u32 << 4) >> bits
+    let square = (1_u32 << 30) >> bits;
+    square.isqrt() / 2
 }
 
 /// A table of grids: in how many pixels each scene shows another triangle than corners that lie

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use crate::costs::{Costs, BOARDS};
 use crate::errors::Spread;
+use crate::report::is_traded;
 use crate::row::{is_on_front, Row};
 
 /// A column: its head, and what it says of a row.
@@ -104,7 +105,8 @@ pub(crate) fn table(rows: &[&Row]) -> String {
     let _ = write!(text, "\n| --- |{}", " ---: |".repeat(columns.len()));
     for row in rows {
         let mark = if row.case.is_default() { "**" } else { "" };
-        let front = if is_on_front(row, rows, Row::error) { "" } else { " ○" };
+        let is_beaten = is_traded(&row.case) && !is_on_front(row, rows, Row::error);
+        let front = if is_beaten { " ○" } else { "" };
         let _ = write!(text, "\n| {mark}{}{mark}{front} |", row.case.setting());
         for (_, cell, board) in &columns {
             let _ = write!(text, " {} |", cell(row, *board));

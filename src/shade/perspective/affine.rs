@@ -7,6 +7,10 @@ use crate::shade::{Corner, Interpolated, Stepped, Varying};
 
 /// No perspective: linear on the screen. The cheapest, and wrong wherever w differs much over a
 /// triangle.
+///
+/// # Measured
+/// <!-- tradeoff: plane-10/perspective=affine -->
+/// `plane-10`: 27.3 on M4F, 40.2 on M0+, 20.5 on RV32 instructions a pixel; 294 texels off, 465 at most; colours 6.9 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Affine;
 

@@ -6,6 +6,10 @@ use crate::raster::{Gradients, Span};
 use crate::shade::{Corner, Interpolated, Stepped, Varying, Words};
 
 /// A division for each pixel.
+///
+/// # Measured
+/// <!-- tradeoff: plane-10/perspective=exact -->
+/// `plane-10`: 119 on M4F, 296 on M0+, 149 on RV32 instructions a pixel; 0.036 texels off, 0.62 at most; colours 28.8 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Exact;
 

@@ -117,6 +117,10 @@ macro_rules! weighted {
 }
 
 /// By the source's alpha: `source a + stored (1 - a)`.
+///
+/// # Measured
+/// <!-- tradeoff: heads-up/blend=alpha -->
+/// `heads-up`: 5.58 on M4F, 10.6 on M0+, 7.70 on RV32 instructions a pixel; colours 39.9 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Alpha;
 

@@ -16,6 +16,10 @@ macro_rules! hand_on {
 }
 
 /// A test that leaves depth as it is.
+///
+/// # Measured
+/// <!-- tradeoff: fill/depth=read-only -->
+/// `fill`: 15.8 on M4F, 28.0 on M0+, 18.1 on RV32 instructions a pixel; colours 40.8 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ReadOnly<D> {
     test: D,
@@ -51,6 +55,10 @@ impl<D: DepthTest<Access = ReadWrite>> DepthTest for ReadOnly<D> {
 ///
 /// # Rounding
 /// Down to a code.
+///
+/// # Measured
+/// <!-- tradeoff: fill/depth=constant -->
+/// `fill`: 18.8 on M4F, 29.0 on M0+, 19.1 on RV32 instructions a pixel; colours 40.8 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ConstantDepth<D> {
     test: D,

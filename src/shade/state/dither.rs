@@ -38,6 +38,10 @@ pub struct Undithered;
 ///
 /// Source: B. E. Bayer, *An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures*,
 /// ICC 1973.
+///
+/// # Measured
+/// <!-- tradeoff: fill/dither=4x4 -->
+/// `fill`: 25.1 on M4F, 34.6 on M0+, 21.0 on RV32 instructions a pixel; colours 38.9 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dither4;
 
@@ -45,6 +49,10 @@ pub struct Dither4;
 ///
 /// # Rounding
 /// As [`Dither4`].
+///
+/// # Measured
+/// <!-- tradeoff: fill/dither=8x8 -->
+/// `fill`: 33.4 on M4F, 41.9 on M0+, 26.8 on RV32 instructions a pixel; colours 39.1 dB from the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dither8;
 

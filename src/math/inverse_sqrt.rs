@@ -49,10 +49,6 @@ static SEEDS: [u8; 128] = {
 /// let unit = |x: u32| (127 * x * inverse.mantissa + (1 << (inverse.shift - 1))) >> inverse.shift;
 /// assert_eq!((unit(300), unit(400)), (76, 102));
 /// ```
-///
-/// # Measured
-/// <!-- tradeoff: sphere/inverse-root=table -->
-/// `sphere`: 6.62 M on M4F, 160.73 M on M0+, 20.35 M on RV32 instructions a frame; colours 43.2 dB from the reference.
 #[must_use]
 pub fn inverse_sqrt(n: u32) -> InverseSqrt {
     if n == 0 {

@@ -26,14 +26,18 @@ fn line(row: &Row) -> String {
         }
     };
     let unit = if by_pixel { "instructions a pixel" } else { "instructions a frame" };
-    let counts: Vec<_> =
-        BOARDS.iter().enumerate().map(|(i, (_, name))| format!("{} on {name}", count(i))).collect();
-    let mut text = format!("`{}`: {} {unit}", row.case.scene, counts.join(", "));
+    let counts: Vec<_> = BOARDS
+        .iter()
+        .enumerate()
+        .map(|(board, (_, name))| format!("{} ({name})", count(board)))
+        .collect();
+    let (setting, scene) = (row.case.setting(), &row.case.scene);
+    let mut text = format!("`{setting}` in the scene `{scene}`: {} {unit}", counts.join(", "));
     if let Some(texels) = row.errors.texels {
         text += &format!("; {} texels off, {} at most", number(texels.mean), number(texels.max));
     }
     if row.errors.color.psnr.is_finite() {
-        text += &format!("; colours {:.1} dB from the reference", row.errors.color.psnr);
+        text += &format!("; PSNR {:.1} dB", row.errors.color.psnr);
     }
     text + "."
 }

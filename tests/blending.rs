@@ -1,4 +1,5 @@
 //! What becomes of a fragment's colour: blending, dither and colour mask against their definitions.
+#![cfg(feature = "std")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
@@ -10,6 +11,7 @@
 
 mod support;
 
+use microraster::host::reference;
 use microraster::raster::ScreenVertex;
 use microraster::{
     Add, AllChannels, Alpha, AnyBlend, AnyDither, AnyMask, Average, Blend, Channels, Color,
@@ -36,22 +38,14 @@ fn channels(color: Color) -> [f64; 3] {
     [color.red(), color.green(), color.blue()].map(f64::from)
 }
 
-/// The definition of a mode, for one channel.
-fn exact<F: Steps>(mode: AnyBlend, source: f64, alpha: u8, stored: f64) -> f64 {
-    let alpha = F::alpha(alpha);
-    let over = |alpha: f64| source * alpha + stored * (1.0 - alpha);
-    let blended = match mode {
-        AnyBlend::Replace => source,
-        AnyBlend::Alpha => over(alpha),
-        AnyBlend::ConstantAlpha(alpha) => over(F::alpha(alpha)),
-        AnyBlend::Premultiplied => source + stored * (1.0 - alpha),
-        AnyBlend::Add => source + stored,
-        AnyBlend::Multiply => source * stored / 255.0,
-        AnyBlend::Subtract => stored - source,
-        AnyBlend::Average => (source + stored) / 2.0,
-        other => panic!("no definition of {other:?}"),
+/// The definition of a mode, with alpha as the format resolves it.
+fn exact<F: Steps>(mode: AnyBlend, source: Color, stored: [f64; 3]) -> [f64; 3] {
+    let (mode, alpha) = match mode {
+        AnyBlend::ConstantAlpha(alpha) => (AnyBlend::Alpha, alpha),
+        _ => (mode, source.alpha()),
     };
-    blended.clamp(0.0, 255.0)
+    let [r, g, b] = channels(source);
+    reference::blended(mode, [r, g, b, 255.0 * F::alpha(alpha)], stored)
 }
 
 /// A format whose channels are numbers of steps.
@@ -126,11 +120,11 @@ fn blended<F: Format>(mode: &impl Blend, color: Color, stored: F::Raw) -> F::Raw
 fn check<F: Steps>(mode: AnyBlend, color: Color, stored: F::Raw) {
     let got = F::steps(blended::<F>(&mode, color, stored));
     let (source, beneath) = (channels(color), F::steps(stored));
+    // What is stored stands for its share of full.
+    let below = [0, 1, 2].map(|channel| beneath[channel] * 255.0 / F::STEPS[channel]);
+    let exact = exact::<F>(mode, color, below);
     for channel in 0..3 {
-        let steps = F::STEPS[channel];
-        // What is stored stands for its share of full.
-        let below = beneath[channel] * 255.0 / steps;
-        let expected = exact::<F>(mode, source[channel], color.alpha(), below) * steps / 255.0;
+        let expected = exact[channel] * F::STEPS[channel] / 255.0;
         let glows = mode == AnyBlend::Premultiplied && source[channel] > f64::from(color.alpha());
         let bound = if glows { 17.0 / 16.0 } else { 1.0 };
         assert!(

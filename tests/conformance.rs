@@ -8,39 +8,19 @@
 
 #[path = "conformance/expected.rs"]
 mod expected;
+#[path = "conformance/folder.rs"]
+mod folder;
 #[path = "conformance/replay.rs"]
 mod replay;
 #[path = "conformance/scene.rs"]
 mod scene;
 
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use expected::Expected;
+use folder::{say, scenes};
 use replay::{is_in_range, replay};
 use scene::{Kind, Scene};
-
-/// Where the scenes lie.
-fn folder() -> PathBuf {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    if let Some(named) = std::env::var_os("MICRORASTER_CONFORMANCE") {
-        return named.into();
-    }
-    let shared = root.join("../shared/conformance");
-    if shared.is_dir() {
-        return shared;
-    }
-    let required = std::env::var_os("MICRORASTER_REQUIRE_SHARED").is_some();
-    assert!(!required, "the shared conformance scenes are required, and missing");
-    say("no conformance folder: only the scenes that the project holds are replayed");
-    root.join("tests/conformance/scenes")
-}
-
-/// Writes a line that is seen although the test passes: it is not printed, which would be kept.
-fn say(line: &str) {
-    // Where nobody listens, nobody misses it.
-    let _ = writeln!(std::io::stderr(), "conformance: {line}");
-}
 
 /// What is wrong with the picture of a scene, or nothing.
 fn check(path: &Path) -> Result<String, String> {
@@ -79,14 +59,7 @@ fn check(path: &Path) -> Result<String, String> {
 
 #[test]
 fn scenes_look_as_the_reference_says() {
-    let folder = folder();
-    let entries = std::fs::read_dir(&folder).expect("the folder of scenes can be read");
-    let mut scenes: Vec<PathBuf> = entries
-        .filter_map(|entry| Some(entry.ok()?.path()))
-        .filter(|path| path.extension().is_some_and(|extension| extension == "scene"))
-        .collect();
-    scenes.sort();
-    assert!(!scenes.is_empty(), "no scenes in {}", folder.display());
+    let scenes = scenes();
     let mut wrong = 0;
     for path in &scenes {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -1,6 +1,8 @@
 //! Fog over a floor of two triangles, from behind the eye to far beyond the fog's end.
+#![cfg(feature = "std")]
 #![allow(clippy::cast_possible_truncation, reason = "rows of a small picture")]
 
+use microraster::host::reference;
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::{AtFragments, Camera, Flat, Fog, Fogged, Frame, Mesh, Pass, Rgb, Rgba8888, Size};
 
@@ -24,7 +26,8 @@ fn a_large_floor_fades_with_the_distance_of_each_pixel() {
         // The ray through the row meets the floor at this distance along the view.
         let down = (y - f64::from(height) / 2.0) / (f64::from(height) / 2.0);
         let distance = 1.0 / (down * 30.0_f64.to_radians().tan());
-        255.0 * ((30.0 - distance) / 25.0).clamp(0.0, 1.0)
+        let fog = reference::Fog::Linear { start: 5.0, end: 30.0 };
+        fog.over([255.0; 3], [0.0; 3], distance)[0]
     };
     let mut shades = 0;
     for y in 102..i32::from(height) {

@@ -1,15 +1,18 @@
 //! Lights against the same formulas in `f64`.
+#![cfg(feature = "std")]
 #![allow(clippy::cast_possible_truncation, reason = "normals and positions of 8 and 16 bits")]
 
 mod support;
 
+use microraster::host::reference::lighting::{self, arriving, blinn_phong, lambert, Material};
+use microraster::host::reference::{self, Fragment, Interpolation, Kind, Reference, Space, State};
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::raster::ScreenVertex;
 use microraster::texture::{Sampler, Texture};
 use microraster::{
-    Attenuation, BlinnPhong, Coloring, DrawContext, Exact, Frame, Lambert, Light, LightKind,
-    Lighting, Matcap, Normal, Phong, Rgb, Rgb565, Rgba8888, ScreenPass, Shader, Size, Surface,
-    VertexInput,
+    AnyLightKind, Attenuation, BlinnPhong, Coloring, DrawContext, Exact, Frame, Lambert, Light,
+    LightKind, Lighting, Matcap, Normal, Phong, Rgb, Rgb16, Rgb565, Rgba8888, ScreenPass, Shader,
+    Size, Surface, VertexInput,
 };
 use support::Random;
 
@@ -82,31 +85,19 @@ impl Scene {
     }
 }
 
-/// A light in `f64`: what arrives at a point from where.
-#[derive(Clone, Copy)]
-enum Lamp {
-    Sun(V),
-    Point(V, [f64; 3]),
-    Spot(V, [f64; 3], V, f64, f64),
-}
+/// The colours of the surface of both tests, 0 to 255.
+const MATERIAL: Material = Material {
+    ambient: [20.0; 3],
+    color: [200.0, 150.0, 100.0],
+    specular: [90.0, 60.0, 30.0],
+    emissive: [3.0, 2.0, 1.0],
+    ..Material::WHITE
+};
 
-impl Lamp {
-    fn at(self, p: V) -> (V, f64) {
-        let fade = |from: V, [c, l, q]: [f64; 3]| {
-            let way = sub(from, p);
-            let d = dot(way, way).sqrt();
-            (unit(way), (1.0 / (c + l * d + q * d * d)).min(1.0))
-        };
-        match self {
-            Self::Sun(direction) => (unit(direction.map(|v| -v)), 1.0),
-            Self::Point(from, attenuation) => fade(from, attenuation),
-            Self::Spot(from, attenuation, axis, inner, outer) => {
-                let (way, strength) = fade(from, attenuation);
-                let cosine = -dot(way, unit(axis));
-                (way, strength * ((cosine - outer) / (inner - outer)).clamp(0.0, 1.0))
-            }
-        }
-    }
+/// The largest difference of a channel, in 8-bit steps.
+fn furthest(color: Rgb16, exact: [f64; 3]) -> f64 {
+    let channels = color.channels().into_iter().zip(exact);
+    channels.map(|(seen, exact)| (f64::from(seen) / 256.0 - exact).abs()).fold(0.0, f64::max)
 }
 
 /// The largest difference in 8-bit steps of a channel, of diffuse light and with highlights; of
@@ -114,7 +105,7 @@ impl Lamp {
 fn check<K: LightKind>(
     scene: &Scene,
     lights: &[Light<K>; 2],
-    lamps: [Lamp; 2],
+    any: [Light<AnyLightKind>; 2],
     shininess: u8,
     two_sided: bool,
 ) -> (f64, f64) {
@@ -131,39 +122,27 @@ fn check<K: LightKind>(
         shiny = shiny.two_sided();
     }
     let lit = shiny.shine(&shiny.lights(&scene.draw), &Surface::of(scene.input()));
-    let (p, n) = scene.world();
-    let to_eye = unit(sub(scene.eye, p));
-    let turned = two_sided && dot(n, to_eye) < 0.0;
-    let facing = if turned { n.map(|v| -v) } else { n };
-    let mut expected = [0.0; 2];
-    let mut errors = [0.0_f64; 2];
+    let (point, normal) = scene.world();
+    let surface = lighting::Surface { point, normal };
+    let to_eye = unit(sub(scene.eye, point));
+    let exact = Material { shininess: shininess.into(), two_sided, ..MATERIAL };
+    let errors = [
+        furthest(seen, lambert(&any, &exact, &surface)),
+        furthest(lit, blinn_phong(&any, &exact, &surface, to_eye)),
+    ];
+    let turned = two_sided && dot(normal, to_eye) < 0.0;
+    let facing = if turned { normal.map(|v| -v) } else { normal };
     let (mut room, mut is_steady) = (1.0_f64, true);
-    let channels = |color: Rgb| [color.r, color.g, color.b].map(f64::from);
-    for channel in 0..3 {
-        let base = 20.0 * channels(material)[channel] / 255.0;
-        expected[0] = base;
-        expected[1] = base + channels(own)[channel];
-        for (lamp, light) in lamps.iter().zip(lights) {
-            let color = channels(light.color())[channel] / 255.0;
-            let (way, strength) = lamp.at(p);
-            expected[0] += color * channels(material)[channel] * strength * dot(n, way).max(0.0);
-            let cosine = dot(facing, way);
-            // A highlight begins at once where light begins to graze the surface.
-            is_steady &= cosine.abs() > 1e-3;
-            if cosine > 0.0 {
-                let between = [0, 1, 2].map(|i| way[i] + to_eye[i]);
-                // Light from nearly behind leaves little of which to make a direction.
-                room = room.min(dot(between, between).sqrt());
-                let halfway = unit(between);
-                let shine = dot(facing, halfway).max(0.0).powi(shininess.into());
-                expected[1] += color
-                    * strength
-                    * (channels(material)[channel] * cosine + channels(highlight)[channel] * shine);
-            }
+    for light in &any {
+        let (way, _) = arriving(light, point);
+        let cosine = dot(facing, way);
+        // A highlight begins at once where light begins to graze the surface.
+        is_steady &= cosine.abs() > 1e-3;
+        if cosine > 0.0 {
+            let between = [0, 1, 2].map(|i| way[i] + to_eye[i]);
+            // Light from nearly behind leaves little of which to make a direction.
+            room = room.min(dot(between, between).sqrt());
         }
-        let of = |color: microraster::Rgb16| f64::from(color.channels()[channel]) / 256.0;
-        errors[0] = errors[0].max((of(seen) - expected[0].min(255.0)).abs());
-        errors[1] = errors[1].max((of(lit) - expected[1].min(255.0)).abs());
     }
     let weight = if room < 0.1 { 0.25 } else { 1.0 };
     (errors[0], if is_steady { errors[1] * weight } else { 0.0 })
@@ -181,7 +160,6 @@ fn light_of_every_kind_is_what_the_formulas_say() {
         let along = [0, 1].map(|_| Vec3::new(number(1.0), number(1.0), number(1.0) + 0.2));
         let fade = [0, 1].map(|_| [0.2 + number(0.1), 0.3 + number(0.2), 0.1 + number(0.1)]);
         let attenuation = fade.map(|[c, l, q]| Attenuation::new(c, l, q));
-        let fade = fade.map(|fade| fade.map(f64::from));
         let shininess = 1 + (number(1.0).abs() * 120.0) as u8;
         let suns = [0, 1].map(|i| Light::directional(along[i], colors[i]));
         let points = [0, 1].map(|i| Light::point(at[i], colors[i]).attenuation(attenuation[i]));
@@ -189,23 +167,15 @@ fn light_of_every_kind_is_what_the_formulas_say() {
         let spots = [0, 1].map(|i| {
             Light::spot(at[i], along[i], inner, outer, colors[i]).attenuation(attenuation[i])
         });
-        let sun_lamps = along.map(|along| Lamp::Sun(wide(along)));
-        let point_lamps = [0, 1].map(|i| Lamp::Point(wide(at[i]), fade[i]));
-        let spot_lamps = [0, 1].map(|i| {
-            let cosines = (f64::from(inner.cos()), f64::from(outer.cos()));
-            Lamp::Spot(wide(at[i]), fade[i], wide(along[i]), cosines.0, cosines.1)
-        });
+        let any_suns = suns.map(|light| light.any());
+        let any_points = points.map(|light| light.any());
+        let any_spots = spots.map(|light| light.any());
+        let mixed = [any_suns[0], any_spots[1]];
         let errors = [
-            check(&scene, &suns, sun_lamps, shininess, false),
-            check(&scene, &points, point_lamps, shininess, true),
-            check(&scene, &spots, spot_lamps, shininess, false),
-            check(
-                &scene,
-                &[suns[0].any(), spots[1].any()],
-                [sun_lamps[0], spot_lamps[1]],
-                shininess,
-                true,
-            ),
+            check(&scene, &suns, any_suns, shininess, false),
+            check(&scene, &points, any_points, shininess, true),
+            check(&scene, &spots, any_spots, shininess, false),
+            check(&scene, &mixed, mixed, shininess, true),
         ];
         for (worst, error) in worst.iter_mut().zip(errors) {
             worst.0 = worst.0.max(error.0);
@@ -246,31 +216,39 @@ fn light_at_fragments_is_that_of_the_interpolated_normal() {
         let mut frame = Frame::<Rgba8888>::new(&mut pixels, size).expect("a buffer that fits");
         let shader = Phong::new(lighting).perspective(Exact);
         ScreenPass::new().triangle(&mut frame, &shader, &[0, 1, 2].map(corner));
-        let to_light = unit(wide(along).map(|v| -v));
-        for (i, pixel) in pixels.iter().enumerate().filter(|(_, pixel)| **pixel != 0) {
-            let at = [16 * (i % 40) + 8, 16 * (i / 40) + 8].map(|v| v as f64);
-            let p = places.map(|place| place.map(f64::from));
-            let area = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
-                (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-            };
-            let whole = area(p[0], p[1], p[2]);
-            let weights = [area(p[1], p[2], at), area(p[2], p[0], at), area(p[0], p[1], at)]
-                .map(|part| part / whole);
-            let n =
-                unit([0, 1, 2].map(|axis| {
-                    (0..3).map(|k| weights[k] * f64::from(normals[k][axis])).sum::<f64>()
-                }));
-            let halfway = unit([to_light[0], to_light[1], to_light[2] + 1.0]);
-            let shine = dot(n, halfway).max(0.0).powi(shininess.into());
-            let [r, g, b, _] = pixel.to_le_bytes();
-            for (seen, (material, (highlight, light))) in [r, g, b].into_iter().zip(
-                [150.0, 160.0, 170.0]
-                    .into_iter()
-                    .zip([60.0, 50.0, 40.0].into_iter().zip([200.0, 180.0, 160.0])),
-            ) {
-                let lit = material * dot(n, to_light).max(0.0) + highlight * shine;
-                let expected: f64 = material * 20.0 / 255.0 + light / 255.0 * lit;
-                worst = worst.max((f64::from(seen) - expected.min(255.0)).abs());
+        let exact = Material {
+            ambient: [20.0; 3],
+            color: [150.0, 160.0, 170.0],
+            specular: [60.0, 50.0, 40.0],
+            shininess: shininess.into(),
+            ..Material::WHITE
+        };
+        let vertex = |i: usize| {
+            let [x, y] = places[i].map(|subpixels| f64::from(subpixels) / 16.0);
+            let varyings = normals[i].map(f64::from).to_vec();
+            reference::Vertex { position: [x, y, 0.0, 1.0], varyings }
+        };
+        let shade = |fragment: &Fragment<'_>| {
+            let normal = unit(fragment.varyings.try_into().ok()?);
+            let surface = lighting::Surface { point: [0.0; 3], normal };
+            let [r, g, b] = blinn_phong(&[sun.any()], &exact, &surface, [0.0, 0.0, 1.0]);
+            Some([r, g, b, 255.0])
+        };
+        let mut truth = Reference::new(size, [0.0; 3]);
+        truth.draw(&reference::Draw {
+            space: Space::Window,
+            kind: Kind::Triangles,
+            vertices: &[0, 1, 2].map(vertex),
+            corners: &[0, 1, 2],
+            interpolation: Interpolation::Perspective,
+            state: State::PLAIN,
+            shade: &shade,
+        });
+        for ((pixel, truth), seen) in pixels.iter().zip(truth.colors()).zip(truth.seen()) {
+            assert_eq!(*pixel != 0, seen.is_some(), "what is covered");
+            let [r, g, b, _] = pixel.to_le_bytes().map(f64::from);
+            for (seen, truth) in [r, g, b].into_iter().zip(truth) {
+                worst = worst.max((seen - truth).abs());
             }
         }
     }

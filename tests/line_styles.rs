@@ -1,4 +1,5 @@
 //! Styles of lines against their definitions, pixel by pixel.
+#![cfg(feature = "std")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
@@ -6,11 +7,12 @@
     reason = "pixels of a small picture"
 )]
 
-#[path = "support/diamond.rs"]
-mod diamond;
+#[path = "support/lines.rs"]
+mod lines;
 mod support;
 
-use diamond::leaves_diamond;
+use lines::{draw_lines, line_pixels, seen};
+use microraster::host::reference::{Reference, State};
 use microraster::raster::ScreenVertex;
 use microraster::{
     Always, Color, Flat, Format, Frame, Gouraud, LineStyle, Midpoint, Rect, Rectangle, Rgb,
@@ -83,39 +85,13 @@ fn sides([a, b]: &[ScreenVertex; 2]) -> (i32, i32) {
     (b.x.to_bits() - a.x.to_bits(), b.y.to_bits() - a.y.to_bits())
 }
 
-fn is_flat(line: &[ScreenVertex; 2]) -> bool {
-    let (w, h) = sides(line);
-    w.abs() >= h.abs()
-}
-
-/// A line whose ends are of any size class but the two that are far beyond the exact fractions.
-fn any_line(random: &mut Random, i: i32) -> [ScreenVertex; 2] {
-    [(); 2].map(|()| {
-        let class = [0, 1, 2, 3, 4, 6, 7][(i % 7) as usize];
-        any_corner(random, class, SIZE)
-    })
-}
-
-/// The line whose copies make a wide one.
-fn moved(line: [ScreenVertex; 2], width: i32) -> [ScreenVertex; 2] {
-    let back = 8 * (width - 1);
-    let (x, y) = if is_flat(&line) { (0, back) } else { (back, 0) };
-    line.map(|v| ScreenVertex::from_bits(v.x.to_bits() - x, v.y.to_bits() - y, v.z))
-}
-
 #[test]
 fn wide_lines_are_copies_of_thin_ones_beside_each_other() {
     let mut random = Random(41);
     for i in 0..12_000 {
-        let line = any_line(&mut random, i);
-        let width = [1, 2, 3, 4, 7, 31, 32][(i / 7 % 7) as usize];
-        let [a, b] = moved(line, width);
-        let expected = pixels_where(|x, y| {
-            (0..width).any(|copy| {
-                let (x, y) = if is_flat(&line) { (x, y - copy) } else { (x - copy, y) };
-                leaves_diamond(&a, &b, x, y)
-            })
-        });
+        let line = [(); 2].map(|()| any_corner(&mut random, i % 10, SIZE));
+        let width = [1, 2, 3, 4, 7, 31, 32][(i / 10 % 7) as usize];
+        let expected = line_pixels(SIZE, width, line);
         assert_eq!(drawn(Wide(width as u8), line), expected, "{width} wide: {line:?}");
     }
     let line = [(3, 200), (300, 17)].map(|(x, y)| ScreenVertex::from_bits(x, y, 0));
@@ -147,16 +123,6 @@ fn midpoint_lines_are_the_nearest_pixels() {
     }
 }
 
-/// The pixels of a thin line in its own order.
-fn in_order(line: &[ScreenVertex; 2]) -> Vec<(i32, i32)> {
-    let [a, b] = line;
-    let all = (-40..60).flat_map(|y| (-40..60).map(move |x| (x, y)));
-    let mut pixels: Vec<_> = all.filter(|&(x, y)| leaves_diamond(a, b, x, y)).collect();
-    let (w, h) = sides(line);
-    pixels.sort_by_key(|&(x, y)| if is_flat(line) { x * w.signum() } else { y * h.signum() });
-    pixels
-}
-
 #[test]
 fn stipple_counts_pixels_along_lines_and_goes_on_in_strips() {
     let mut random = Random(43);
@@ -166,18 +132,15 @@ fn stipple_counts_pixels_along_lines_and_goes_on_in_strips() {
             .collect();
         let (pattern, factor) = (random.next() as u16, [1, 2, 3, 255][i % 4]);
         let strip = i % 2 == 0;
-        let (mut expected, mut before) = (Vec::new(), 0);
-        for pair in corners.windows(2) {
-            let pixels = in_order(&[pair[0], pair[1]]);
-            for (k, pixel) in pixels.iter().enumerate() {
-                let bit = (before + k) / usize::from(factor) % 16;
-                if pattern >> bit & 1 != 0 {
-                    expected.push(*pixel);
-                }
-            }
-            before = if strip { before + pixels.len() } else { 0 };
+        let lines: Vec<_> =
+            corners.windows(2).map(|pair| [pair[0], pair[1]].map(|v| (v, 0.0))).collect();
+        let keeps = |step: u32| pattern >> (step / u32::from(factor) % 16) & 1 != 0;
+        let mut exact = Reference::new(SIZE, [0.0; 3]);
+        // A strip's pixels are counted through, those of lines by line.
+        for lines in lines.chunks(if strip { lines.len() } else { 1 }) {
+            draw_lines(&mut exact, State::PLAIN, 1, lines, keeps);
         }
-        let expected = pixels_where(|x, y| expected.contains(&(x, y)));
+        let expected = seen(&exact);
         let style = Stippled::new(pattern, factor, Thin);
         let corners: Vec<Shaded> = corners.into_iter().map(white).collect();
         let (pixels, _) = picture::<Rgba8888>(|frame, stats| {

@@ -1,4 +1,5 @@
 //! Lines and points against their definitions, pixel by pixel.
+#![cfg(feature = "std")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
@@ -6,14 +7,16 @@
     reason = "pixels of a small picture"
 )]
 
-#[path = "support/diamond.rs"]
-mod diamond;
+#[path = "support/lines.rs"]
+mod lines;
 mod support;
 
-use diamond::leaves_diamond;
+use lines::{draw_lines, line_pixels};
+use microraster::host::reference::{Reference, State};
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Always, Color, Flat, Frame, Gouraud, Rect, Rgb, Rgba8888, ScreenPass, Size, Stats, Thin,
+    Always, AnyDepth, AnyDepthState, Color, Flat, Frame, Gouraud, Rect, Rgb, Rgba8888, ScreenPass,
+    Size, Stats, Thin,
 };
 use support::{any_corner, Random};
 
@@ -42,7 +45,7 @@ fn white(v: ScreenVertex) -> Shaded {
 }
 
 fn check_line(a: ScreenVertex, b: ScreenVertex) {
-    let expected = pixels_where(|x, y| leaves_diamond(&a, &b, x, y));
+    let expected = line_pixels(SIZE, 1, [a, b]);
     let mut stats = Stats::default();
     let found = drawn(|frame| {
         let mut pass = ScreenPass::new().count(&mut stats);
@@ -57,11 +60,7 @@ fn check_line(a: ScreenVertex, b: ScreenVertex) {
 fn lines_are_those_of_the_diamond_exit_rule() {
     let mut random = Random(11);
     for i in 0..60_000 {
-        let class = i % 10;
-        // Far corners are taken by their own test: the exact fractions are for the picture's size.
-        let class = if class == 5 || class == 8 { 2 } else { class };
-        let class = if class == 9 { random.range(0, 4) } else { class };
-        let [a, b] = [(); 2].map(|()| any_corner(&mut random, class, SIZE));
+        let [a, b] = [(); 2].map(|()| any_corner(&mut random, i % 10, SIZE));
         check_line(a, b);
     }
 }
@@ -167,19 +166,15 @@ fn attributes_run_along_the_longer_side_and_stay_between_the_ends() {
         let mut frame = frame.with_depth(&mut depth).expect("the buffer fits");
         let line = [(a, p.into()), (b, q.into())];
         ScreenPass::new().depth(Always).lines(&mut frame, &Gouraud::colored(), Thin, &[line]);
-        let (ax, ay) = (f64::from(a.x.to_bits()), f64::from(a.y.to_bits()));
-        let (w, h) = (f64::from(b.x.to_bits()) - ax, f64::from(b.y.to_bits()) - ay);
+        let mut exact = Reference::new(SIZE, [0.0; 3]);
+        let state = State { depth: AnyDepthState::new(AnyDepth::Always), ..State::PLAIN };
+        draw_lines(&mut exact, state, 1, &[[(a, p.r.into()), (b, q.r.into())]], |_| true);
         for (i, word) in pixels.iter().enumerate().filter(|(_, word)| **word != 0) {
-            let center = ((i % 20) as f64 * 16.0 + 8.0, (i / 20) as f64 * 16.0 + 8.0);
-            let t =
-                if w.abs() >= h.abs() { (center.0 - ax) / w } else { (center.1 - ay) / h }.max(0.0);
-            assert!(t <= 1.0, "{t} for {line:?}");
-            let along = |a: f64, b: f64| a + (b - a) * t;
             let [red, ..] = word.to_le_bytes();
-            let color = along(p.r.into(), q.r.into()) - f64::from(red);
+            let color = exact.colors()[i][0] - f64::from(red);
             // Half a step of rounding and a quarter for stepping two channels in one word.
             assert!(color.abs() <= 0.76, "colour {color} at {i}: {line:?}");
-            let code = along(a.z.into(), b.z.into()) - f64::from(depth[i]);
+            let code = exact.depths()[i] - f64::from(depth[i]);
             // Half a code of rounding, and a slope that is off by 2^-17 over at most 8192 pixels.
             assert!(code.abs() <= 0.5 + 0.0626, "depth {code} at {i}: {line:?}");
         }

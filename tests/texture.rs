@@ -1,11 +1,12 @@
 //! Samplers against real arithmetic: every format, wrap and filter, at all sizes and extremes.
-
+#![cfg(feature = "std")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "a reference in f64, whose values are known to be small"
 )]
 
+use microraster::host::reference::{self, TexelGrid};
 use microraster::texture::{
     Add, Alpha8, AnyEnvironment, AnyFilter, AnySampler, AnyTexture, AnyWrap, Bilinear, Clamp,
     ClampAny, Decal, Environment, Filter, FineBilinear, Footprint, Indexed4, Indexed8, Luminance8,
@@ -43,21 +44,7 @@ impl Random {
 /// A texel's channels of 0 to 255, not rounded: red, green, blue, alpha.
 type Real = [f64; 4];
 
-/// How a wrap treats a texel's number.
-fn wrapped(wrap: AnyWrap, number: f64, side: f64) -> usize {
-    let number = match wrap {
-        AnyWrap::Repeat => number.rem_euclid(side),
-        AnyWrap::Clamp => number.clamp(0.0, side - 1.0),
-        AnyWrap::Mirror => {
-            let number = number.rem_euclid(2.0 * side);
-            number.min(2.0 * side - 1.0 - number)
-        }
-        _ => panic!("a wrap without a reference"),
-    };
-    number as usize
-}
-
-/// The reference: what is asked for, and the indices of texels with their shares.
+/// Which texels are asked for.
 struct Place {
     size: [u16; 2],
     wraps: [AnyWrap; 2],
@@ -65,30 +52,22 @@ struct Place {
 }
 
 impl Place {
-    /// A coordinate in texels; exact, as it needs 43 bits.
-    fn texels(&self, axis: usize, at: i32) -> f64 {
-        f64::from(at) / f64::from(self.unit_bits + 16).exp2() * f64::from(self.size[axis])
+    fn grid(&self) -> TexelGrid {
+        let [width, height] = self.size.map(usize::from);
+        TexelGrid { width, height, wraps: self.wraps }
     }
 
-    fn index(&self, x: f64, y: f64) -> usize {
-        let [w, h] = self.size.map(f64::from);
-        wrapped(self.wraps[1], y, h) * usize::from(self.size[0]) + wrapped(self.wraps[0], x, w)
+    /// Coordinates in repeats; exact, as texels of them need 43 bits.
+    fn repeats(&self, u: i32, v: i32) -> [f64; 2] {
+        [u, v].map(|at| f64::from(at) / f64::from(self.unit_bits + 16).exp2())
     }
 
     fn nearest(&self, u: i32, v: i32) -> usize {
-        self.index(self.texels(0, u).floor(), self.texels(1, v).floor())
+        self.grid().nearest(self.repeats(u, v))
     }
 
     fn bilinear(&self, u: i32, v: i32) -> [(usize, f64); 4] {
-        let (x, y) = (self.texels(0, u) - 0.5, self.texels(1, v) - 0.5);
-        let (left, upper) = (x.floor(), y.floor());
-        let (fx, fy) = (x - left, y - upper);
-        [
-            (self.index(left, upper), (1.0 - fx) * (1.0 - fy)),
-            (self.index(left + 1.0, upper), fx * (1.0 - fy)),
-            (self.index(left, upper + 1.0), (1.0 - fx) * fy),
-            (self.index(left + 1.0, upper + 1.0), fx * fy),
-        ]
+        self.grid().bilinear(self.repeats(u, v))
     }
 }
 
@@ -495,15 +474,14 @@ fn the_level_is_that_of_the_exact_derivative() {
         let footprint = Footprint { right: [any(), any()], down: [any(), any()] };
         let got = footprint.level(bits, unit_bits, last);
 
+        let [width, height] = bits.map(|bits| 1 << bits);
+        let grid = TexelGrid { width, height, wraps: [AnyWrap::Repeat; 2] };
         let unit = f64::from(unit_bits + 16).exp2();
-        let way = |[u, v]: [i32; 2]| {
-            let texels = |at: i32, bits: u32| f64::from(at) / unit * f64::from(bits).exp2();
-            texels(u, bits[0]).hypot(texels(v, bits[1]))
-        };
-        let lambda = way(footprint.right).max(way(footprint.down)).log2();
-        let level = |lambda: f64| ((lambda + 0.5).ceil() - 1.0).clamp(0.0, last.into()) as u32;
+        let repeats = |way: [i32; 2]| way.map(|at| f64::from(at) / unit);
+        let detail = grid.detail(repeats(footprint.right), repeats(footprint.down));
         // Within 2^-13 of the way of a border either is right.
-        let (low, high) = (level(lambda - 2e-4), level(lambda + 1e-9));
+        let [low, high] =
+            [detail - 2e-4, detail + 1e-9].map(|detail| grid.nearest_level(detail) as u32);
         assert!((low..=high).contains(&got), "{footprint:?} {bits:?} 2^{unit_bits}: {got}");
         seen[got as usize] += 1;
     }
@@ -532,26 +510,20 @@ fn mip_maps_are_means() {
             for number in 1..mips.levels() {
                 let (above, here) = (mips.level(number - 1), mips.level(number));
                 let next = start + usize::from(above.width()) * usize::from(above.height());
-                for y in 0..usize::from(here.height()) {
-                    for x in 0..usize::from(here.width()) {
-                        let mut mean = [0.0; 4];
-                        for (dx, dy) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                            let x = (2 * x + dx).min(usize::from(above.width()) - 1);
-                            let y = (2 * y + dy).min(usize::from(above.height()) - 1);
-                            let texel =
-                                T::meaning(&data, start + y * usize::from(above.width()) + x);
-                            for (sum, channel) in mean.iter_mut().zip(texel) {
-                                *sum += channel / 4.0;
-                            }
-                        }
-                        let got = T::meaning(&data, next + y * usize::from(here.width()) + x);
-                        for ((got, mean), bits) in got.into_iter().zip(mean).zip(bits) {
-                            // Half a step of the stored channel.
-                            let step = full / (f64::from(bits).exp2() - 1.0);
-                            assert!((got - mean).abs() <= step / 2.0 + 1e-9, "{got} for {mean}");
-                        }
+                let (width, height) = (above.width().into(), above.height().into());
+                let grid = TexelGrid { width, height, wraps: [AnyWrap::Clamp; 2] };
+                let texels: Vec<Real> =
+                    (start..next).map(|index| T::meaning(&data, index)).collect();
+                let above = reference::Texture::new(grid, &texels).expect("as many texels");
+                for (i, mean) in above.halved().texels().iter().enumerate() {
+                    let got = T::meaning(&data, next + i);
+                    for ((got, mean), bits) in got.into_iter().zip(mean).zip(bits) {
+                        // Half a step of the stored channel.
+                        let step = full / (f64::from(bits).exp2() - 1.0);
+                        assert!((got - mean).abs() <= step / 2.0 + 1e-9, "{got} for {mean}");
                     }
                 }
+                assert_eq!(above.halved().grid().width, usize::from(here.width()), "{w}x{h}");
                 start = next;
             }
             assert_eq!(start + 1, needed, "{w}x{h}: the last picture is one texel");

@@ -6,6 +6,7 @@
 //! | models in | [`Model`] from `.asc`, from `.obj` with feature `tools`, and the bundled teapot |
 //! | smaller copies of a texture | [`mip_map`] |
 //! | the name of a picture | [`fnv1a64`] |
+//! | what a picture should be | [`mod@reference`] |
 //!
 //! Nothing here is part of a firmware: every item takes `std`, allocates, and reads or writes
 //! files. All input is taken as hostile: it ends in a value or in an error that names the file,
@@ -16,6 +17,7 @@ mod hash;
 mod mesh_data;
 mod mip_map;
 mod model;
+pub mod reference;
 mod tga;
 
 pub use atomic_file::AtomicFile;

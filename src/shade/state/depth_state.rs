@@ -86,7 +86,9 @@ impl<D: DepthTest<Access = ReadWrite>> DepthTest for ConstantDepth<D> {
 /// is negative. Lines and points are not moved.
 ///
 /// # Range
-/// No corner is moved out of the range of codes: a triangle that would be moves less.
+/// No corner is moved out of the range of codes: a triangle that would be moves less. Depth may
+/// change by up to 32767 codes from pixel to pixel; slivers beyond move by any part of what they
+/// should.
 ///
 /// Source: OpenGL 4.6, section 14.6.5, with the larger of both slopes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

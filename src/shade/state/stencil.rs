@@ -20,13 +20,13 @@ use crate::frame::{DepthAccess, WithStencil};
 /// [cull](crate::Pass::cull) have one for each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stencil<C, F = Keep, Z = Keep, P = Keep> {
-    compare: C,
-    reference: u8,
-    read_mask: u8,
-    write_mask: u8,
-    on_fail: F,
-    on_depth_fail: Z,
-    on_pass: P,
+    pub(crate) compare: C,
+    pub(crate) reference: u8,
+    pub(crate) read_mask: u8,
+    pub(crate) write_mask: u8,
+    pub(crate) on_fail: F,
+    pub(crate) on_depth_fail: Z,
+    pub(crate) on_pass: P,
 }
 
 /// A stencil test with all that it does chosen when the program runs: for host tools.

@@ -9,6 +9,9 @@ mod bare;
 #[cfg(target_os = "none")]
 #[path = "board/buffer.rs"]
 mod buffer;
+#[cfg(target_os = "none")]
+#[path = "board/feature.rs"]
+mod feature;
 
 #[cfg(not(target_os = "none"))]
 fn main() {
@@ -18,22 +21,25 @@ fn main() {
 #[cfg(target_os = "none")]
 mod firmware {
     use crate::buffer::Buffer;
+    use crate::feature::is;
     use core::hint::black_box;
     use fixed::types::I8F8;
     use microraster::math::{Angle, Mat4, Vec3};
     use microraster::texture::{MipMap, MipSampler, Nearest, Repeat, Sampler, Texture};
     use microraster::{
         Affine, Alpha, AtFragments, BlinnPhong, Camera, Channels, Consecutive, ConstantDepth,
-        DepthBuffer, DepthRange, Dither4, Dither8, Every, Exact, Flat, Fog, Fogged, Frame, Gouraud,
-        Lambert, Less, Light, LineList, Matcap, Mesh, Midpoint, Multiply, Normal, Pass, Phong,
-        Points, PolygonOffset, ReadOnly, Rectangle, Rgb, Rgb565, Size, Smooth, Stats, Stippled,
-        Supersampling, Textured, Thin, TriangleStrip, Undithered, Wide,
+        DepthBuffer, DepthRange, Dither4, Dither8, Equal, Every, Exact, Flat, Fog, Fogged, Frame,
+        Gouraud, Lambert, Less, Light, LineList, Matcap, Mesh, Midpoint, Multiply, NoDepth, Normal,
+        Off, Pass, Phong, Points, PolygonOffset, ReadOnly, Rectangle, Replace, Rgb, Rgb565, Size,
+        Smooth, Stats, Stencil, StencilBuffer, Stenciled, Stippled, Supersampling, Textured, Thin,
+        TriangleStrip, Undithered, Wide,
     };
 
     const SIDE: usize = 64;
 
     static COLOR: Buffer<[u16; SIDE * SIDE]> = Buffer::new([0; SIDE * SIDE]);
     static DEPTH: Buffer<[u16; SIDE * SIDE]> = Buffer::new([0; SIDE * SIDE]);
+    static VALUES: Buffer<[u8; SIDE * SIDE]> = Buffer::new([0; SIDE * SIDE]);
     static FINE: Buffer<[u16; SIDE * SIDE]> = Buffer::new([0; SIDE * SIDE]);
     static CORNERS: [[i16; 3]; 3] = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]];
     static COLORS: [Rgb; 3] = [Rgb::RED, Rgb::GREEN, Rgb::BLUE];
@@ -41,20 +47,6 @@ mod firmware {
     static PLACES: [((), [i16; 2]); 3] = [((), [0, 0]), ((), [4096, 0]), ((), [0, 4096])];
     static INDICES: [u16; 3] = [0, 1, 2];
     static TEXELS: [u16; 85] = [0xF800; 85];
-
-    /// Whether this is the feature that is weighed; known when compiling.
-    const fn is(name: &str) -> bool {
-        let wanted = match option_env!("MICRORASTER_FEATURE") {
-            Some(wanted) => wanted.as_bytes(),
-            None => b"flat",
-        };
-        let name = name.as_bytes();
-        let mut at = 0;
-        while at < name.len() && at < wanted.len() && name[at] == wanted[at] {
-            at += 1;
-        }
-        at == name.len() && at == wanted.len()
-    }
 
     /// Draws with the feature of this name, if it is the one.
     macro_rules! features {
@@ -67,6 +59,7 @@ mod firmware {
 
     type Plain<'a> = Frame<'a, Rgb565>;
     type Deep<'a> = Frame<'a, Rgb565, DepthBuffer<'a>>;
+    type Masked<'a> = Frame<'a, Rgb565, StencilBuffer<'a, NoDepth>>;
 
     fn camera() -> Camera {
         Camera::perspective(Angle::from_degrees(black_box(45.0)), 0.5)
@@ -254,6 +247,12 @@ mod firmware {
         }
     }
 
+    fn masked(frame: &mut Masked<'_>) {
+        let stencil = Stencil::new(Equal, black_box(1)).on_pass(Replace);
+        let depth = Stenciled::new(Off, stencil);
+        Pass::new(&camera()).depth(depth).draw(frame, &model(), &BARE, &flat());
+    }
+
     /// The features that need depth.
     const DEEP: bool = is("depth")
         || is("constant depth")
@@ -266,7 +265,13 @@ mod firmware {
     fn main() -> ! {
         if let Some(color) = COLOR.take() {
             if let Ok(mut frame) = Frame::<Rgb565>::new(color, Size::new(64, 64)) {
-                if const { DEEP } {
+                if const { is("stencil") } {
+                    let values = VALUES.take().map_or(&mut [] as &mut [u8], |values| values);
+                    if let Ok(mut frame) = frame.with_stencil(values) {
+                        frame.clear(Rgb::BLACK);
+                        masked(&mut frame);
+                    }
+                } else if const { DEEP } {
                     let codes = DEPTH.take().map_or(&mut [] as &mut [u16], |codes| codes);
                     if let Ok(mut frame) = frame.with_depth(codes) {
                         frame.clear(Rgb::BLACK);

@@ -1,3 +1,5 @@
+use core::num::NonZero;
+
 use super::{Edge, Point};
 use crate::math::{mul_high_31, reciprocal, Reciprocal, BY_HALVES};
 
@@ -43,7 +45,8 @@ const HAS_DIVIDE: bool = !BY_HALVES;
 /// A number above zero, by which others are divided.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Divisor {
-    number: u32,
+    // Of this type, so that the compiler sees that no division is by zero.
+    number: NonZero<u32>,
     reciprocal: Reciprocal,
 }
 
@@ -53,7 +56,7 @@ impl Divisor {
     pub(crate) fn new(number: u32) -> Self {
         let reciprocal =
             if HAS_DIVIDE { Reciprocal { mantissa: 0, shift: 0 } } else { reciprocal(number) };
-        Self { number: number.max(1), reciprocal }
+        Self { number: NonZero::new(number).unwrap_or(NonZero::<u32>::MIN), reciprocal }
     }
 
     /// Quotient and rest of a number below 2^29.
@@ -61,9 +64,9 @@ impl Divisor {
     pub(super) fn divide(&self, dividend: u32) -> (u32, u32) {
         if HAS_DIVIDE {
             let quotient = dividend / self.number;
-            return (quotient, dividend.wrapping_sub(quotient.wrapping_mul(self.number)));
+            return (quotient, dividend.wrapping_sub(quotient.wrapping_mul(self.number())));
         }
-        by_reciprocal(dividend, self.number, self.reciprocal)
+        by_reciprocal(dividend, self.number(), self.reciprocal)
     }
 }
 
@@ -71,7 +74,7 @@ impl Divisor {
     /// The number.
     #[inline(always)]
     pub(super) const fn number(&self) -> u32 {
-        self.number
+        self.number.get()
     }
 }
 
@@ -100,7 +103,7 @@ fn slope(dx: i32, divisor: &Divisor) -> i64 {
     let sign = dx >> 31;
     let (whole, rest) = divisor.divide((dx ^ sign).cast_unsigned());
     let mut quotient = i64::from(whole.cast_signed() ^ sign);
-    let mut rest = if sign == 0 { rest } else { !rest.wrapping_sub(divisor.number) };
+    let mut rest = if sign == 0 { rest } else { !rest.wrapping_sub(divisor.number()) };
     for _ in 0..FRACTION / DIGIT {
         let digit;
         (digit, rest) = divisor.divide(rest.wrapping_shl(DIGIT));

@@ -82,15 +82,42 @@ impl House {
         feature: &str,
         board: &Board,
     ) -> Result<PathBuf, String> {
+        self.linked(name, feature, board, &[])
+    }
+
+    /// The same with what the linker knew of who refers to whom, for [`super::elf::references`].
+    ///
+    /// # Errors
+    /// No compiler for the target, or the build failed.
+    pub(crate) fn example_with_references(
+        &self,
+        name: &str,
+        feature: &str,
+        board: &Board,
+    ) -> Result<PathBuf, String> {
+        self.linked(name, feature, board, &["-C", "link-arg=--emit-relocs"])
+    }
+
+    /// Builds an example with more `options` for the compiler.
+    fn linked(
+        &self,
+        name: &str,
+        feature: &str,
+        board: &Board,
+        options: &[&str],
+    ) -> Result<PathBuf, String> {
         let mut arguments = vec!["--example", name];
         arguments.push("--");
+        arguments.extend(options);
         let symbols: Vec<_> =
             board.symbols.iter().map(|symbol| format!("link-arg=--defsym=__{symbol}")).collect();
         for symbol in &symbols {
             arguments.extend(["-C", symbol]);
         }
         let built = self.cargo(board.target, feature, &arguments)?.join("examples").join(name);
-        let kept = self.firmware()?.join(format!("{name}-{}.elf", board.name));
+        let variant = if feature.is_empty() { "" } else { "-" };
+        let variant = format!("{variant}{}", feature.replace(' ', "-"));
+        let kept = self.firmware()?.join(format!("{name}{variant}-{}.elf", board.name));
         std::fs::copy(&built, &kept)
             .map_err(|why| format!("cannot copy {}: {why}", built.display()))?;
         Ok(kept)
@@ -112,7 +139,8 @@ impl House {
         let mut command = match &toolchain {
             Toolchain::Rustup => Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into())),
             Toolchain::Debian { .. } => {
-                folder = folder.join("debian");
+                // A folder for each target: cargo locks it, and boards are built side by side.
+                folder = folder.join("debian").join(target);
                 Command::new(DEBIAN_CARGO)
             }
         };

@@ -1,7 +1,8 @@
 //! Makes the mesh file of the bunny, whose licence keeps it out of this repository: it is read
 //! where it lies.
 
-use super::scenes::model::{HEADER, MAGIC};
+use super::mesh_file;
+use super::scenes::Model;
 use std::path::{Path, PathBuf};
 
 /// Where the bunny lies in the folder of models.
@@ -46,31 +47,19 @@ pub(crate) fn convert(file: &Path) -> Result<Vec<u32>, String> {
     let (scale, offset) = frame_of(&points);
     let normals = normals(&points, &indices);
 
-    let mut bytes = MAGIC.to_vec();
-    for count in [points.len(), indices.len()] {
-        let count = u32::try_from(count).map_err(|why| problem(why.to_string()))?;
-        bytes.extend(count.to_le_bytes());
-    }
-    for value in [scale, offset[0], offset[1], offset[2]] {
-        bytes.extend(value.to_le_bytes());
-    }
-    debug_assert_eq!(bytes.len(), HEADER, "the header's size is part of the format");
-    for point in &points {
-        for (value, middle) in point.iter().zip(offset) {
-            bytes.extend(step((value - middle) / scale).to_le_bytes());
-        }
-    }
-    for index in indices {
-        let index = u16::try_from(index).map_err(|_| problem("over 65 536 vertices".into()))?;
-        bytes.extend(index.to_le_bytes());
-    }
-    for normal in normals {
-        for value in normal {
-            bytes.extend(step(value * 127.0).to_le_bytes().first());
-        }
-    }
-    bytes.resize(bytes.len().next_multiple_of(4), 0);
-    Ok(bytes.as_chunks::<4>().0.iter().map(|word| u32::from_ne_bytes(*word)).collect())
+    let positions: Vec<_> = points
+        .iter()
+        .map(|point| [0, 1, 2].map(|axis| step((point[axis] - offset[axis]) / scale)))
+        .collect();
+    let indices = indices.into_iter().map(u16::try_from).collect::<Result<Vec<_>, _>>();
+    let indices = indices.map_err(|_| problem("over 65 536 vertices".into()))?;
+    let normals: Vec<_> = normals
+        .iter()
+        .map(|normal| normal.map(|value| step(value * 127.0).to_le_bytes()[0].cast_signed()))
+        .collect();
+    let model =
+        Model { positions: &positions, normals: &normals, indices: &indices, scale, offset };
+    Ok(mesh_file::words(&model))
 }
 
 /// The nearest whole step.
@@ -116,7 +105,7 @@ fn normals(points: &[[f32; 3]], indices: &[usize]) -> Vec<[f32; 3]> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scenes::Model;
+    use super::super::scenes::model::MAGIC;
     use super::*;
 
     #[test]

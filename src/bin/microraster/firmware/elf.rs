@@ -38,6 +38,8 @@ pub(crate) struct Elf {
 // Numbers of the ELF specification.
 const SYMBOL_TABLE: u32 = 2;
 const NO_BITS: u32 = 8;
+/// With addends, and without.
+const RELOCATIONS: [u32; 2] = [4, 9];
 const WRITE: u32 = 1;
 const ALLOCATE: u32 = 2;
 const SECTION_HEADER: usize = 40;
@@ -52,6 +54,8 @@ struct Header {
     offset: usize,
     size: u32,
     link: usize,
+    info: usize,
+    entry: usize,
 }
 
 impl Elf {
@@ -66,13 +70,16 @@ impl Elf {
         Self::tables(file).ok_or_else(|| "the ELF file ends before what its tables name".into())
     }
 
-    /// The tables; `None` where the file is cut off.
-    fn tables(file: &[u8]) -> Option<Self> {
+    /// The section headers; `None` where the file is cut off.
+    fn headers(file: &[u8]) -> Option<Vec<Header>> {
         let start = place(file, 32)?;
         let count = usize::from(half(file, 48)?);
-        let headers: Vec<_> = (0..count)
-            .map(|index| header(file, start.checked_add(index * SECTION_HEADER)?))
-            .collect::<Option<_>>()?;
+        (0..count).map(|index| header(file, start.checked_add(index * SECTION_HEADER)?)).collect()
+    }
+
+    /// The tables; `None` where the file is cut off.
+    fn tables(file: &[u8]) -> Option<Self> {
+        let headers = Self::headers(file)?;
         let names = headers.get(usize::from(half(file, 50)?))?.offset;
 
         let mut elf = Self::default();
@@ -130,6 +137,65 @@ impl Elf {
     }
 }
 
+/// That one function or table refers to a symbol.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Reference {
+    /// Where it does.
+    pub(crate) address: u32,
+    /// Who does; empty where no symbol covers the address.
+    pub(crate) from: String,
+    /// To whom.
+    pub(crate) to: String,
+}
+
+/// All references between symbols, of a file that was linked with `--emit-relocs`.
+///
+/// # Errors
+/// Not such a file, or one that ends before what its tables name.
+pub(crate) fn references(file: &[u8]) -> Result<Vec<Reference>, String> {
+    let cut_off = "the ELF file ends before what its tables name";
+    let headers = Elf::headers(file).ok_or(cut_off)?;
+    if !headers.iter().any(|header| RELOCATIONS.contains(&header.kind)) {
+        return Err("the ELF file was linked without `--emit-relocs`".into());
+    }
+    references_of(file, &headers).ok_or_else(|| cut_off.into())
+}
+
+/// The references; `None` where the file is cut off.
+fn references_of(file: &[u8], headers: &[Header]) -> Option<Vec<Reference>> {
+    let table = headers.iter().find(|header| header.kind == SYMBOL_TABLE)?;
+    let strings = headers.get(table.link)?.offset;
+    let symbol = |index: usize| {
+        let at = table.offset.checked_add(index.checked_mul(SYMBOL_ENTRY)?)?;
+        // Functions of Thumb code have an odd address.
+        let start = word(file, at + 4)? & !1;
+        Some((start, word(file, at + 8)?, text(file, strings, place(file, at)?)?))
+    };
+    let count = usize::try_from(table.size).ok()? / SYMBOL_ENTRY;
+    let mut homes = (0..count).map(symbol).collect::<Option<Vec<_>>>()?;
+    homes.retain(|(_, size, _)| *size > 0);
+    homes.sort();
+    let mut references = Vec::new();
+    for header in headers {
+        // Those of debug information refer to everything.
+        let from = headers.get(header.info);
+        let loaded = from.is_some_and(|section| section.flags & ALLOCATE != 0);
+        if !loaded || !RELOCATIONS.contains(&header.kind) || header.entry == 0 {
+            continue;
+        }
+        for index in 0..usize::try_from(header.size).ok()? / header.entry {
+            let at = header.offset.checked_add(index * header.entry)?;
+            let (address, info) = (word(file, at)?, place(file, at + 4)?);
+            let before = homes.partition_point(|(start, _, _)| *start <= address);
+            let home = before.checked_sub(1).and_then(|last| homes.get(last));
+            let home = home.filter(|(start, size, _)| address - start < *size);
+            let from = home.map_or_else(String::new, |(_, _, name)| name.clone());
+            references.push(Reference { address, from, to: symbol(info >> 8)?.2 });
+        }
+    }
+    Some(references)
+}
+
 /// The section header at a place.
 fn header(file: &[u8], at: usize) -> Option<Header> {
     Some(Header {
@@ -139,6 +205,8 @@ fn header(file: &[u8], at: usize) -> Option<Header> {
         offset: place(file, at + 16)?,
         size: word(file, at + 20)?,
         link: place(file, at + 24)?,
+        info: place(file, at + 28)?,
+        entry: place(file, at + 36)?,
     })
 }
 

@@ -4,8 +4,13 @@ use super::facts::Line;
 use std::fmt::Write;
 use std::path::Path;
 
-const BEGIN: &str = "<!-- figures: made by `cargo firmware --figures`, not by hand -->";
 const END: &str = "<!-- end of figures -->";
+
+/// The line before a table; a file with several tables has a name for each.
+fn begin(name: &str) -> String {
+    let space = if name.is_empty() { "" } else { " " };
+    format!("<!-- figures{space}{name}: made by `cargo firmware --figures`, not by hand -->")
+}
 
 /// Rows of the table, one a figure; a cell a board.
 #[derive(Debug, Default)]
@@ -73,23 +78,24 @@ impl Figures {
         table
     }
 
-    /// Replaces what stands between the marks.
+    /// Replaces what stands between the marks of this name, which may be empty.
     ///
     /// # Errors
-    /// The file cannot be read or written, or has no marks.
-    pub(crate) fn write(&self, file: &Path) -> Result<(), String> {
+    /// The file cannot be read or written, or has no such marks.
+    pub(crate) fn write(&self, file: &Path, name: &str) -> Result<(), String> {
         let cannot = |why: &dyn std::fmt::Display| format!("{}: {why}", file.display());
         let text = std::fs::read_to_string(file).map_err(|why| cannot(&why))?;
-        let replaced = self.replaced(&text).ok_or_else(|| {
-            cannot(&format!("figures go between the lines `{BEGIN}` and `{END}`"))
+        let replaced = self.replaced(&text, name).ok_or_else(|| {
+            cannot(&format!("figures go between the lines `{}` and `{END}`", begin(name)))
         })?;
         std::fs::write(file, replaced).map_err(|why| cannot(&why))
     }
 
-    fn replaced(&self, text: &str) -> Option<String> {
-        let (before, rest) = text.split_once(BEGIN)?;
+    fn replaced(&self, text: &str, name: &str) -> Option<String> {
+        let begin = begin(name);
+        let (before, rest) = text.split_once(&begin)?;
         let (_, after) = rest.split_once(END)?;
-        Some(format!("{before}{BEGIN}\n{}\n{END}{after}", self.table()))
+        Some(format!("{before}{begin}\n{}\n{END}{after}", self.table()))
     }
 }
 
@@ -105,10 +111,15 @@ mod tests {
         figures.board("m0");
         figures.put("one", "2".into());
         figures.put("late", "3".into());
-        let text = format!("above\n{BEGIN}\nold\n{END}\nbelow\n");
         let table = "| | m4 | m0 |\n| --- | ---: | ---: |\n| one | 1 | 2 |\n| late |  | 3 |";
-        let expected = format!("above\n{BEGIN}\n{table}\n{END}\nbelow\n");
-        assert_eq!(figures.replaced(&text), Some(expected), "the file");
-        assert_eq!(figures.replaced("no marks"), None, "nowhere to put it");
+        let (first, second) = (begin(""), begin("ladder m4"));
+        let text = |one: &str, two: &str| {
+            format!("above\n{first}\n{one}\n{END}\nbelow\n{second}\n{two}\n{END}\nend\n")
+        };
+        let old = text("old", "older");
+        assert_eq!(figures.replaced(&old, ""), Some(text(table, "older")), "the first");
+        assert_eq!(figures.replaced(&old, "ladder m4"), Some(text("old", table)), "the second");
+        assert_eq!(figures.replaced("no marks", ""), None, "nowhere to put it");
+        assert_eq!(figures.replaced(&old, "ladder"), None, "no such name");
     }
 }

@@ -61,7 +61,7 @@ fn drawn(line: &str) -> Option<Drawn> {
 }
 
 /// The value of the word `name=value` of a line.
-fn value<'a>(line: &'a str, name: &str) -> Option<&'a str> {
+pub(crate) fn value<'a>(line: &'a str, name: &str) -> Option<&'a str> {
     line.split_whitespace().find_map(|word| word.strip_prefix(name)?.strip_prefix('='))
 }
 

@@ -1,18 +1,21 @@
 //! `microraster firmware`: draws the scenes on boards under QEMU and compares every frame with
 //! the host's, bit for bit.
 
-mod board;
-mod build;
+pub(crate) mod board;
+pub(crate) mod build;
 mod bunny;
-mod elf;
-mod emulate;
+pub(crate) mod elf;
+pub(crate) mod emulate;
 mod facts;
 mod figures;
-mod lines;
+mod ladder;
+pub(crate) mod lines;
+pub(crate) mod mesh_file;
+mod no_panic;
 mod profile;
 #[path = "../../../../examples/scenes/mod.rs"]
-mod scenes;
-mod sizes;
+pub(crate) mod scenes;
+pub(crate) mod sizes;
 
 use board::Board;
 use build::House;
@@ -70,6 +73,13 @@ pub(crate) struct Arguments {
     /// With --sizes, weigh each feature alone, as flash more than flat triangles.
     #[arg(long, requires = "sizes")]
     features: bool,
+    /// Weigh and run a ladder of scenes instead, each with one feature more than the one before;
+    /// with --figures, put a table for each board into a Markdown file.
+    #[arg(long, conflicts_with_all = ["scenes", "sizes", "library", "profile", "no_panic"])]
+    ladder: bool,
+    /// Look for a way to panic in firmware that draws with everything, instead.
+    #[arg(long, conflicts_with_all = ["scenes", "sizes", "library", "profile", "figures"])]
+    no_panic: bool,
     /// Build the bare library, without alloc, for Armv6-M, Armv7E-M, RISC-V and wasm instead.
     #[arg(long, conflicts_with_all = ["scenes", "boards"])]
     library: bool,
@@ -90,12 +100,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
             Ok(())
         });
     }
+    if arguments.no_panic {
+        return no_panic::check(&house, &boards);
+    }
+    if arguments.ladder {
+        return boards
+            .iter()
+            .try_for_each(|board| ladder::climb(&house, board, arguments.figures.as_deref()));
+    }
     if arguments.features {
         let mut figures = Figures::default();
         for board in boards {
             sizes::features(&house, board, &mut figures)?;
         }
-        return arguments.figures.as_ref().map_or(Ok(()), |file| figures.write(file));
+        return arguments.figures.as_ref().map_or(Ok(()), |file| figures.write(file, ""));
     }
     if arguments.sizes {
         return sizes::print(&house, &boards, arguments.verbose);
@@ -129,7 +147,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         }
     }
     if let (Some(file), 0) = (&arguments.figures, wrong) {
-        figures.write(file)?;
+        figures.write(file, "")?;
     }
     if wrong == 0 {
         Ok(())
@@ -145,8 +163,7 @@ fn mesh(house: &House, scenes: &mut Vec<Scene<Counter>>) -> Result<Option<Vec<u3
     let why = match bunny::find(&house.package) {
         Ok(model) => {
             let words = bunny::convert(&model)?;
-            std::fs::write(&file, bytemuck::cast_slice::<u32, u8>(&words))
-                .map_err(|why| format!("{}: {why}", file.display()))?;
+            mesh_file::write(&file, &words)?;
             return Ok(Some(words));
         }
         Err(why) => why,

@@ -30,7 +30,7 @@ impl Kind {
         let name = format!("{:#}", rustc_demangle::demangle(&symbol.name));
         let has = |parts: &[&str]| parts.iter().any(|part| name.contains(part));
         let starts = |parts: &[&str]| parts.iter().any(|part| name.starts_with(part));
-        let own = has(&["microraster::", "size_"]);
+        let own = has(&["microraster::", "size_", "budget::"]);
         if symbol.section.starts_with(".vector") || symbol.section.starts_with(".trap") {
             Self::Runtime
         } else if has(&["core::panicking", "rust_begin_unwind"])
@@ -59,19 +59,19 @@ impl Kind {
 
 /// Bytes of flash by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Weights {
-    own: u32,
-    core: u32,
-    runtime: u32,
-    panic: u32,
-    builtins: u32,
+pub(crate) struct Weights {
+    pub(crate) own: u32,
+    pub(crate) core: u32,
+    pub(crate) runtime: u32,
+    pub(crate) panic: u32,
+    pub(crate) builtins: u32,
     /// What no symbol names: constants, padding, the vectors' fixed part.
-    rest: u32,
+    pub(crate) rest: u32,
 }
 
 impl Weights {
     /// Weighs a file.
-    fn of(elf: &Elf) -> Self {
+    pub(crate) fn of(elf: &Elf) -> Self {
         let mut weights = Self::default();
         for symbol in &elf.symbols {
             *match Kind::of(symbol) {
@@ -128,7 +128,10 @@ fn proof_elf(house: &House, board: &Board, proof: &str) -> Result<Elf, String> {
 }
 
 /// Reads a file, which must not link a heap.
-fn read(file: &Path, proof: &str, board: &Board) -> Result<Elf, String> {
+///
+/// # Errors
+/// The file cannot be read, or links a heap.
+pub(crate) fn read(file: &Path, proof: &str, board: &Board) -> Result<Elf, String> {
     let bytes = std::fs::read(file).map_err(|why| format!("{}: {why}", file.display()))?;
     let elf = Elf::read(&bytes)?;
     match elf.allocator() {
@@ -199,12 +202,13 @@ fn symbols(elf: &Elf) {
 }
 
 /// What is weighed one at a time, as `examples/size_feature.rs` names it.
-const FEATURES: [&str; 36] = [
+const FEATURES: [&str; 37] = [
     "depth",
     "constant depth",
     "read-only depth",
     "polygon offset",
     "depth range",
+    "stencil",
     "gouraud",
     "lambert",
     "point light",
@@ -259,21 +263,32 @@ const FOREIGN: [&str; 16] = [
 ];
 
 /// Names of what is not asked for, which stand in types beside the others.
-const DEFAULTS: [&str; 4] =
-    ["blend::Replace", "dither::Undithered", "color_mask::AllChannels", "counter::Uncounted"];
+const DEFAULTS: [&str; 5] = [
+    "blend::Replace",
+    "dither::Undithered",
+    "color_mask::AllChannels",
+    "counter::Uncounted",
+    "environment::Modulate",
+];
 
 /// Flat triangles must contain no function of another feature.
 fn contains_nothing_else(flat: &Elf, board: &Board) -> Result<(), String> {
-    for symbol in flat.symbols.iter().filter(|symbol| Kind::of(symbol) == Kind::Own) {
+    match foreign(flat, &FOREIGN) {
+        Some(what) => Err(format!("flat triangles on {} contain {what}", board.name)),
+        None => Ok(()),
+    }
+}
+
+/// The first function of this crate whose name contains one of the parts, as `part: name`.
+pub(super) fn foreign(elf: &Elf, parts: &[&str]) -> Option<String> {
+    elf.symbols.iter().filter(|symbol| Kind::of(symbol) == Kind::Own).find_map(|symbol| {
         let mut name = format!("{:#}", rustc_demangle::demangle(&symbol.name));
         for default in DEFAULTS {
             name = name.replace(default, "");
         }
-        if let Some(part) = FOREIGN.iter().find(|part| name.contains(*part)) {
-            return Err(format!("flat triangles on {} contain {part}: {name}", board.name));
-        }
-    }
-    Ok(())
+        let part = parts.iter().find(|part| name.contains(*part))?;
+        Some(format!("{part}: {name}"))
+    })
 }
 
 /// Weighs each feature alone, as bytes of flash more than flat triangles, and puts them into a

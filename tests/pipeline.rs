@@ -181,6 +181,25 @@ fn what_makes_no_sense_is_skipped_and_counted() {
 }
 
 /// Cameras of every kind, each of which draws the triangle at the origin.
+#[test]
+fn the_last_index_of_32_bits_names_no_vertex() {
+    // It is the number that an empty slot of the vertex cache holds.
+    let (corners, colors) = ([[-9, -9, -5], [9, -9, -5], [0, 9, -5]], [Rgb::WHITE; 3]);
+    for place in 0..3 {
+        let mut indices = [0, 1, 2];
+        indices[place] = u32::MAX;
+        let mesh = Mesh::new(&corners, &colors).indexed(&indices);
+        let mut stats = Stats::default();
+        let camera = Camera::perspective(90.0.degrees(), 0.5);
+        // A shader that asks for nothing of the corners but the first.
+        teapot(|frame| {
+            let mut pass = Pass::new(&camera).depth(Less).count(&mut stats);
+            pass.draw(frame, &Mat4::identity(), &mesh, &Flat::colored());
+        });
+        assert_eq!((stats.triangles, stats.skipped, stats.pixels), (1, 1, 0), "{indices:?}");
+    }
+}
+
 fn cameras() -> [(&'static str, Camera); 4] {
     let (eye, lens) = (Vec3::new(0.3, 0.4, 4.0), Camera::perspective(45.0.degrees(), 0.5));
     let projection = Mat4::perspective(50.0.degrees(), 1.25, 0.25, Some(20.0));

@@ -24,6 +24,7 @@ fn at<P: Probe, const I: usize>(stage: &mut Stage<'_>, _frame: u32, probe: &mut 
     let mut stats = Stats::default();
     let drawn = probe.measure(|| (picture.draw)(&mut canvas, picture.turn, &mut stats));
     probe.pixels(stats.pixels.into());
+    probe.skipped(stats.skipped);
     let pixels = usize::from(picture.size.width) * usize::from(picture.size.height);
     Facts { bytes: if drawn.is_ok() { 2 * pixels } else { 0 }, triangles: stats.triangles }
 }

@@ -45,6 +45,8 @@ pub(crate) trait Probe {
     fn measure<T>(&mut self, work: impl FnOnce() -> T) -> T;
     /// Takes note of pixels that were written by the measured work.
     fn pixels(&mut self, written: u64);
+    /// Takes note of primitives that could not be drawn.
+    fn skipped(&mut self, _primitives: u32) {}
 }
 
 /// What a scene says of a frame that it drew.

@@ -84,6 +84,7 @@ where
             let mut stats = Stats::default();
             ScreenPass::new().depth(Less).count(&mut stats).lines(&mut frame, shader, style, lines);
             probe.pixels(stats.pixels.into());
+            probe.skipped(stats.skipped);
         } else {
             let mut pass = ScreenPass::new().depth(Less);
             probe.measure(|| pass.lines(&mut frame, shader, style, lines));
@@ -104,6 +105,7 @@ fn points<P: Probe>(stage: &mut Stage<'_>, probe: &mut P, size: u16) -> Facts {
                 .count(&mut stats)
                 .points(&mut frame, &shader, size, &DUST);
             probe.pixels(stats.pixels.into());
+            probe.skipped(stats.skipped);
         } else {
             let mut pass = ScreenPass::new().depth(Less);
             probe.measure(|| pass.points(&mut frame, &shader, size, &DUST));

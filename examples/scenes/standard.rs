@@ -93,6 +93,7 @@ macro_rules! measured {
                 $draw;
             }
             $probe.pixels(stats.pixels.into());
+            $probe.skipped(stats.skipped);
         } else {
             let mut $with = $pass;
             $probe.measure(|| $draw);

@@ -69,6 +69,7 @@ fn draw<P: Probe, A, S: Shader<Vertex = A>>(
                 let mut stats = Stats::default();
                 pass.count(&mut stats).draw(&mut frame, &Mat4::identity(), &mesh, shader);
                 probe.pixels(stats.pixels.into());
+                probe.skipped(stats.skipped);
             } else {
                 let mut pass = pass;
                 probe.measure(|| pass.draw(&mut frame, &Mat4::identity(), &mesh, shader));

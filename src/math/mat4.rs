@@ -250,6 +250,17 @@ impl Mat4 {
     /// # Range
     ///
     /// Where axes have vanished, coincide or are not finite, perpendicular ones are made up.
+    ///
+    /// # Rounding
+    ///
+    /// Axes are of length 1 and perpendicular within 5e-7. As much is what a product of two
+    /// rotations may add, mostly less: a million products have drifted by 0.3 at worst, and by no
+    /// more than 1e-5 where every 64th was followed by this (the tests compose six rotations a
+    /// million times).
+    ///
+    /// # Cost
+    ///
+    /// Four [normalisations](Vec3::normalize), 24 multiplications.
     #[must_use]
     pub fn orthonormalize(self) -> Self {
         let (x, y, z) = (self.x.truncate(), self.y.truncate(), self.z.truncate());

@@ -1,4 +1,4 @@
-//! Tests of matrices: algebra, cameras, drift, extremes.
+//! Tests of matrices: algebra, cameras, extremes.
 
 extern crate std;
 use super::hard_numbers::{Random, FLOATS};
@@ -124,28 +124,6 @@ fn corners_of_the_view_go_to_corners_of_the_picture() {
     let lens = Mat4::perspective(90.0.degrees(), 320.0 / 240.0, 1.0, None);
     let window = Mat4::frustum(-4.0 / 3.0, 4.0 / 3.0, -1.0, 1.0, 1.0, None);
     assert!(close(lens, window, 1e-6));
-}
-
-#[test]
-fn a_million_composed_rotations_stay_a_rotation() {
-    let step = Mat4::rotation(Vec3::new(1.0, 2.0, 3.0), 0.7.degrees());
-    let (mut kept, mut drifted) = (Mat4::identity(), Mat4::IDENTITY);
-    for i in 0..1_000_000u32 {
-        drifted = step * drifted;
-        kept = step * kept;
-        if i % 64 == 63 {
-            kept = kept.orthonormalize();
-        }
-    }
-    let worst = |m: Mat4| {
-        let gram = (m.transpose() * m).to_columns();
-        let one = Mat4::identity().to_columns();
-        let pairs = gram.iter().flatten().zip(one.iter().flatten());
-        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
-    };
-    std::println!("a million rotations: kept {:e}, drifted {:e}", worst(kept), worst(drifted));
-    assert!(worst(kept) < 1e-5, "{:e}", worst(kept));
-    assert!(worst(drifted.orthonormalize()) < 5e-7, "{:e}", worst(drifted));
 }
 
 #[test]

@@ -33,7 +33,8 @@ pub struct VertexCache<C, const N: usize> {
 /// A vertex that was transformed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
-    /// The vertex's index plus 1, and whether its attributes are made too; 0 for none.
+    /// The vertex's index plus 1, and whether its attributes are made too. An empty slot holds the
+    /// vertex with the last number there is, which no mesh has: key 0, and no valid vertex.
     key: u32,
     pub(super) vertex: Projected,
 }
@@ -59,6 +60,7 @@ impl<C: Copy, const N: usize> VertexCache<C, N> {
     #[inline]
     pub const fn with_blank(blank: C) -> Self {
         let () = Self::POWER_OF_TWO;
+        // All zeros, so that a `static` takes no flash: `start` is what empties a slot.
         let vertex = Projected { x: 0, y: 0, z: 0, flags: 0 };
         Self { entries: [Entry { key: 0, vertex }; N], corners: [blank; N] }
     }
@@ -68,7 +70,7 @@ impl<C: Copy, const N: usize> VertexCache<C, N> {
     pub(super) fn start(&mut self) -> CacheView<'_, C> {
         for at in rolled(N) {
             if let Some(entry) = self.entries.get_mut(at) {
-                entry.key = 0;
+                (entry.key, entry.vertex.flags) = (0, Projected::INVALID.flags);
             }
         }
         CacheView { entries: &mut self.entries, corners: &mut self.corners }

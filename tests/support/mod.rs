@@ -7,10 +7,13 @@
 )]
 #![allow(dead_code, reason = "each test takes what it needs")]
 
-use microraster::raster::{ScreenVertex, GUARD};
-use microraster::{Clip, Color, DrawContext, FlatColor, Rgb, Shader, Size, VertexInput};
+use microraster::raster::{
+    Scanline, ScreenVertex, SpanBatch, SpanWalk, Spans, Traversal, Triangle, GUARD,
+};
+use microraster::{Clip, Color, DrawContext, FlatColor, Rect, Rgb, Shader, Size, VertexInput};
 
 /// A small generator (SplitMix64): the same numbers on every machine.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
@@ -77,6 +80,65 @@ pub(crate) fn covers(v: &[ScreenVertex; 3], x: i32, y: i32) -> bool {
         let left = dy < 0;
         edge >= i64::from(!(top || left))
     })
+}
+
+/// The same for an area of at most 32 columns, a word a row, the leftmost pixel in the lowest bit:
+/// all three edges at all centres, none left out.
+pub(crate) fn covered(v: &[ScreenVertex; 3], area: Rect) -> Vec<u32> {
+    let p = v.map(|v| (i64::from(v.x.to_bits()), i64::from(v.y.to_bits())));
+    let area_of = (p[1].0 - p[0].0) * (p[2].1 - p[0].1) - (p[2].0 - p[0].0) * (p[1].1 - p[0].1);
+    let order = if area_of < 0 { [0, 2, 1] } else { [0, 1, 2] };
+    // E - bias at the centre of the area's first pixel, and from column to column and row to row.
+    let (px, py) = (i64::from(area.left) * 16 + 8, i64::from(area.top) * 16 + 8);
+    let edges = [0, 1, 2].map(|i| {
+        let (a, b) = (p[order[i]], p[order[(i + 1) % 3]]);
+        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+        let top_or_left = dy < 0 || dy == 0 && dx > 0;
+        // Without an area nothing is covered.
+        let bias = i64::from(!top_or_left || area_of == 0);
+        let at_first = dx * (py - a.1) - dy * (px - a.0) - bias;
+        (at_first, -16 * dy, 16 * dx)
+    });
+    let [a, b, c] = edges;
+    let row = |y: i32| {
+        let y = i64::from(y - area.top);
+        let at = |(first, _, down): (i64, i64, i64)| first + down * y;
+        let mut values = [at(a), at(b), at(c)];
+        let mut word = 0;
+        for x in area.left..area.right {
+            // No sum comes near 2^63.
+            let is_inside = values[0] | values[1] | values[2];
+            word |= u32::from(is_inside >= 0) << (x - area.left);
+            values[0] = values[0].wrapping_add(a.1);
+            values[1] = values[1].wrapping_add(b.1);
+            values[2] = values[2].wrapping_add(c.1);
+        }
+        word
+    };
+    (area.top..area.bottom).map(row).collect()
+}
+
+/// The pixels that the shipped spans cover, in the same form.
+pub(crate) fn spans(triangle: &Triangle, area: Rect) -> Vec<u32> {
+    let mut rows = vec![0_u32; (area.bottom - area.top) as usize];
+    let mut batch = SpanBatch::default();
+    let mut walk = Spans::default();
+    Scanline.start(&mut walk, triangle, &area, &mut batch);
+    loop {
+        for span in batch.spans() {
+            assert!(span.first <= span.left && span.left < span.right, "{span:?}");
+            assert!(span.right <= span.behind, "{span:?}");
+            let ones = u64::from(u32::MAX) >> (32 - (span.right - span.left));
+            let run = (ones << (span.left - area.left)) as u32;
+            let row = &mut rows[(span.y - area.top) as usize];
+            assert!(*row & run == 0, "a pixel twice: {span:?}");
+            *row |= run;
+        }
+        if batch.is_last() {
+            return rows;
+        }
+        walk.next_spans(&mut batch);
+    }
 }
 
 /// Draws white triangles whose positions come in clip space, as they are.

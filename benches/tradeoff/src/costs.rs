@@ -46,8 +46,7 @@ impl Costs {
         let boards: Vec<_> = BOARDS.iter().map(|(name, _)| *name).collect();
         let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
         let output = Command::new(cargo)
-            .args(["run", "--quiet", "--release", "--features", "tools", "--bin", "microraster"])
-            .args(["--", "firmware", "--example", "tradeoff", "--boards", &boards.join(",")])
+            .args(["firmware", "--example", "tradeoff", "--boards", &boards.join(",")])
             .current_dir(root)
             .stdin(Stdio::null())
             .stderr(Stdio::inherit())

@@ -81,8 +81,8 @@ fn plot(
     chart
         .configure_mesh()
         .light_line_style(WHITE.mix(0.0))
-        .x_labels(6)
-        .y_labels(8)
+        .x_labels(14)
+        .y_labels(10)
         .x_desc("instructions a frame")
         .y_desc("difference from the ideal, root mean square of 255")
         .x_label_formatter(&|count| crate::table::millions(count.round() as u64))
@@ -122,6 +122,8 @@ fn plot(
             None => points.push((row, text)),
         }
     }
+    // The default lies on top.
+    points.sort_by_key(|(_, text)| text.starts_with("default"));
     for (row, text) in &points {
         let color = if text.split(", ").any(|part| part == "default") {
             DEFAULT
@@ -133,7 +135,7 @@ fn plot(
         let at = (cost(row), ideal(row));
         chart.draw_series([Circle::new(at, 4, color.filled())])?;
         let (x, y) = chart.backend_coord(&at);
-        labels.push(Label { x: x + 7, y: y - 7, text: text.clone() });
+        labels.push(Label { x: x + 7, y: y - 15, text: text.clone() });
     }
     spread(&mut labels, 13);
     for label in labels {

@@ -143,6 +143,7 @@ pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
 fn draw<P: Probe>(stage: &mut Stage<'_>, probe: &mut P, picture: &Picture) -> Facts {
     let written = probe.measure(|| render::render(stage.color, stage.depth, picture));
     probe.pixels(written.pixels.into());
+    probe.skipped(written.skipped);
     let stride = picture.stride.max(picture.size.width.into());
     let bytes = if picture.format == PixelFormat::Rgba8888 { 4 } else { 2 };
     Facts {

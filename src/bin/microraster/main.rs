@@ -1,6 +1,7 @@
 //! The host program: `simulate` draws a model into a picture file, `firmware` draws scenes as
-//! firmware and compares them with the host's.
+//! firmware and compares them with the host's, `budget` says what a model takes of a target.
 
+mod budget;
 mod firmware;
 mod simulate;
 
@@ -21,6 +22,7 @@ enum Command {
     Simulate(simulate::Arguments),
     /// Draw the scenes as firmware under QEMU and compare every frame with the host's.
     Firmware(firmware::Arguments),
+    Budget(budget::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -38,6 +40,10 @@ fn main() -> ExitCode {
     let outcome = match program.command {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
+        Command::Budget(arguments) => match budget::run(&arguments) {
+            Ok(budget::Verdict::DoesNotFit) => return ExitCode::from(2),
+            outcome => outcome.map(|_| ()),
+        },
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

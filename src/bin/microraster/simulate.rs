@@ -1,6 +1,6 @@
 //! `microraster simulate`: a model file in, TGA pictures out.
 
-mod options;
+pub(crate) mod options;
 mod picture;
 mod render;
 mod view;

@@ -115,7 +115,9 @@ impl House {
             arguments.extend(["-C", symbol]);
         }
         let built = self.cargo(board.target, feature, &arguments)?.join("examples").join(name);
-        let kept = self.firmware()?.join(format!("{name}-{}.elf", board.name));
+        let variant = if feature.is_empty() { "" } else { "-" };
+        let variant = format!("{variant}{}", feature.replace(' ', "-"));
+        let kept = self.firmware()?.join(format!("{name}{variant}-{}.elf", board.name));
         std::fs::copy(&built, &kept)
             .map_err(|why| format!("cannot copy {}: {why}", built.display()))?;
         Ok(kept)

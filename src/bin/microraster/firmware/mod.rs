@@ -74,7 +74,7 @@ pub(crate) struct Arguments {
     #[arg(long, requires = "sizes")]
     features: bool,
     /// Run every case of another example that draws cases, and print its lines as they are.
-    #[arg(long, value_name = "EXAMPLE", conflicts_with_all = ["scenes", "profile", "figures", "sizes", "library"])]
+    #[arg(long, value_name = "EXAMPLE", conflicts_with_all = ["scenes", "profile", "figures", "sizes", "ladder", "no_panic", "library"])]
     example: Option<String>,
     /// Weigh and run a ladder of scenes instead, each with one feature more than the one before;
     /// with --figures, put a table for each board into a Markdown file.

@@ -49,7 +49,7 @@ pub(crate) fn check(house: &House, boards: &[&'static Board]) -> Result<(), Stri
     let boards = boards.iter().enumerate().filter(|(number, _)| is_first(*number));
     std::thread::scope(|scope| {
         let spawn = |board: &'static Board| scope.spawn(move || one(house, board));
-        let checks: Vec<_> = boards.map(|(_, board)| spawn(*board)).collect();
+        let checks: Vec<_> = boards.map(|(_, board)| spawn(board)).collect();
         checks.into_iter().try_for_each(|check| match check.join() {
             Ok(outcome) => outcome,
             Err(_) => Err("a thread that builds firmware stopped".into()),

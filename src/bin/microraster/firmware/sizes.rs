@@ -30,7 +30,7 @@ impl Kind {
         let name = format!("{:#}", rustc_demangle::demangle(&symbol.name));
         let has = |parts: &[&str]| parts.iter().any(|part| name.contains(part));
         let starts = |parts: &[&str]| parts.iter().any(|part| name.starts_with(part));
-        let own = has(&["microraster::", "size_"]);
+        let own = has(&["microraster::", "size_", "budget::"]);
         if symbol.section.starts_with(".vector") || symbol.section.starts_with(".trap") {
             Self::Runtime
         } else if has(&["core::panicking", "rust_begin_unwind"])

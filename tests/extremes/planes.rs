@@ -1,18 +1,11 @@
 //! Depth and colour over a triangle against exact fractions, and independence of where it is cut.
-#![allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_possible_wrap,
-    clippy::cast_sign_loss,
-    reason = "random numbers are cut to what is wanted"
-)]
 
-mod support;
-
-use microraster::raster::{ScreenVertex, Triangle};
+use crate::support::{any_corner, spans, Random};
+use crate::tally::{cases, random};
+use microraster::raster::{Gradients, ScreenVertex, Triangle};
 use microraster::{
     Always, Color, Flat, Frame, Gouraud, Less, Rect, Rgb, Rgba8888, ScreenPass, Size,
 };
-use support::{any_corner, Random};
 
 const SIZE: Size = Size::new(24, 20);
 const PIXELS: usize = 24 * 20;
@@ -84,11 +77,11 @@ const PLANE: f64 = 0.125;
 
 #[test]
 fn depth_and_colour_are_the_exact_ones_within_the_stated_bounds() {
-    let mut random = Random(31);
-    let (mut most_depth, mut most_color, mut compared) = (0.0_f64, 0.0_f64, 0);
-    for i in 0..120_000 {
-        let triangle =
-            if i % 4 == 0 { sliver(&mut random) } else { any_triangle(&mut random, i % 10) };
+    let (mut most_depth, mut most_color, mut compared, mut i) = (0.0_f64, 0.0_f64, 0_u64, 0);
+    let wanted = cases(100_000, 5_000_000);
+    random("depth and colour are within their bound", wanted, 31, |random| {
+        i += 1;
+        let triangle = if i % 4 == 0 { sliver(random) } else { any_triangle(random, i % 10) };
         let (pixels, depth) = draw(&triangle, &[Rect::from_size(SIZE)]);
         for (i, word) in pixels.iter().enumerate().filter(|(_, word)| **word != 0) {
             compared += 1;
@@ -107,17 +100,18 @@ fn depth_and_colour_are_the_exact_ones_within_the_stated_bounds() {
                 assert!(off <= bound, "{channel} for {value} at {x}, {y}: {triangle:?}");
             }
         }
-    }
+        1
+    });
     println!("{compared} pixels: depth off by {most_depth:.4}, colour by {most_color:.4}");
-    assert!(compared > 1_000_000, "only {compared} pixels were compared");
+    assert!(compared >= 8 * i as u64, "only {compared} pixels were compared");
 }
 
 #[test]
 fn scissors_and_bands_change_no_bit() {
-    let mut random = Random(32);
-    for i in 0..20_000 {
-        let triangle =
-            if i % 4 == 0 { sliver(&mut random) } else { any_triangle(&mut random, i % 10) };
+    let mut i = 0;
+    random("scissors and bands change no pixel", cases(15_000, 1_000_000), 32, |random| {
+        i += 1;
+        let triangle = if i % 4 == 0 { sliver(random) } else { any_triangle(random, i % 10) };
         let (x, y) = (random.range(0, 24), random.range(0, 20));
         let whole = draw(&triangle, &[Rect::from_size(SIZE)]);
         let parts = [
@@ -143,7 +137,8 @@ fn scissors_and_bands_change_no_bit() {
             depth.extend(codes);
         }
         assert!((pixels, depth) == whole, "bands of {rows}: {triangle:?}");
-    }
+        1
+    });
 }
 
 #[test]
@@ -179,19 +174,36 @@ fn the_same_triangle_twice_has_the_same_depth() {
 }
 
 #[test]
-fn gradients_take_any_triangle() {
-    let mut random = Random(35);
-    for i in 0..100_000 {
-        let v = [(); 3].map(|()| any_corner(&mut random, i % 10, SIZE));
-        if let Some(triangle) = Triangle::new(v, SIZE) {
-            let gradients = microraster::raster::Gradients::new(&triangle);
-            let plane = gradients.plane(0, u16::MAX, random.next() as u16);
-            // The first corner of the oriented triangle has the first value.
-            let first = triangle.vertices()[0];
-            if first.x.to_bits() & 15 == 8 && first.y.to_bits() & 15 == 8 {
-                let value = plane.at(first.x.to_bits() >> 4, first.y.to_bits() >> 4);
-                assert_eq!(value, 0, "{triangle:?}");
+fn planes_are_within_their_bound_at_every_covered_centre_of_any_triangle() {
+    let whole = Rect::from_size(SIZE);
+    let (mut worst, mut i, mut compared) = (0.0_f64, 0, 0_u64);
+    let wanted = cases(250_000, 20_000_000);
+    random("planes are within their bound", wanted, 35, |random| {
+        i += 1;
+        let shaded = if i % 4 == 0 { sliver(random) } else { any_triangle(random, i % 10) };
+        let Some(triangle) = Triangle::new(shaded.map(|(v, _)| v), SIZE) else { return 1 };
+        let corners = *triangle.vertices();
+        let values = corners.map(|v| v.z);
+        let plane = Gradients::new(&triangle).plane(values[0], values[1], values[2]);
+        let oriented = corners.map(|v| (v, Color::default()));
+        for (y, row) in spans(&triangle, whole).into_iter().enumerate() {
+            // The first, the last and one between them say what all do: a plane has no others.
+            let (first, last) = (row.trailing_zeros(), 31_u32.saturating_sub(row.leading_zeros()));
+            for x in [first, (first + last) / 2, last] {
+                if row >> (x & 31) & 1 == 0 || row == 0 {
+                    continue;
+                }
+                let (x, y) = (x as i32, y as i32);
+                // A 16.16 number modulo 2^32: off by how much, either way round.
+                let value = exact(&oriented, |corner| corner.0.z.into(), x, y) * 65_536.0;
+                let off = f64::from(plane.at(x, y).wrapping_sub(value as u32) as i32) / 65_536.0;
+                worst = worst.max(off.abs());
+                compared += 1;
+                assert!(off.abs() <= PLANE, "{off} off {value} at {x}, {y}: {triangle:?}");
             }
         }
-    }
+        1
+    });
+    println!("planes are off by {worst:.4} at most, of {compared}");
+    assert!(compared >= 5 * i as u64, "only {compared} pixels were compared");
 }

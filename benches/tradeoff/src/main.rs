@@ -25,6 +25,7 @@ mod table;
 mod texels;
 #[path = "../../../examples/tradeoff/mod.rs"]
 mod tradeoff;
+mod traversals;
 mod truth;
 
 use clap::Parser;
@@ -58,6 +59,12 @@ struct Arguments {
     /// without writing a file.
     #[arg(long, conflicts_with_all = ["budget", "recorded"])]
     errors: bool,
+    /// Draw a scene in a way of finding pixels and nothing else: what callgrind counts.
+    #[arg(long, hide = true, requires = "scene", conflicts_with_all = ["budget", "errors"])]
+    traversal: Option<traversals::Way>,
+    /// How many times.
+    #[arg(long, hide = true, default_value_t = 1)]
+    times: u32,
 }
 
 fn main() -> ExitCode {
@@ -71,6 +78,9 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<(), String> {
+    if let (Some(way), Some(scene)) = (arguments.traversal, &arguments.scene) {
+        return traversals::draw(scene, way, arguments.times).map(|_| ());
+    }
     let root = root();
     if let (Some(budget), Some(scene)) = (&arguments.budget, &arguments.scene) {
         let budget = advice::budget(budget)?;

@@ -14,7 +14,7 @@ use crate::scenes::gallery::pictures::terrain;
 use crate::scenes::standard::camera;
 use crate::scenes::Model;
 use crate::truth::{Key, Truths};
-use crate::{bunny, doc_lines, plot, side_by_side, subpixels, table, texels, tradeoff};
+use crate::{bunny, doc_lines, plot, side_by_side, subpixels, table, texels, tradeoff, traversals};
 
 /// The largest error of each knob so far.
 #[derive(Debug)]
@@ -134,6 +134,10 @@ impl Report {
         let model = words.as_ref().and_then(|words| Model::view(bytemuck::cast_slice(words)));
         document.put("subpixels", &subpixels::table(&mut self.truths, model))?;
         document.put("positions", &subpixels::with_positions(&mut self.truths))?;
+        match traversals::table() {
+            Ok(table) => document.put("traversals", &table)?,
+            Err(why) => eprintln!("tradeoff: traversals are left as they were: {why}"),
+        }
         document.put("plots", &self.plots(&folder)?)?;
         document.put("pictures", &self.pictures(&folder)?)?;
         document.write()?;

@@ -17,7 +17,7 @@ fn spread(spread: Option<Spread>) -> String {
 /// Three digits that count.
 pub(crate) fn number(v: f64) -> String {
     match v.abs() {
-        v if v == 0.0 => "0".into(),
+        0.0 => "0".into(),
         v if v < 1e-3 => format!("{v:.0e}"),
         v if v < 0.1 => format!("{v:.3}"),
         v if v < 10.0 => format!("{v:.2}"),

@@ -4,8 +4,11 @@ use std::fmt::Write as _;
 
 use crate::case::Case;
 use crate::costs::BOARDS;
+use crate::drawing;
+use crate::report::is_traded;
 use crate::row::Row;
 use crate::table::{millions, number};
+use crate::truth::Key;
 
 /// One way to set every knob of a scene.
 #[derive(Clone, Debug)]
@@ -19,7 +22,17 @@ struct Choice<'a> {
     memory: usize,
 }
 
-/// A budget such as `2M`, `850k` or a plain number of instructions a frame.
+impl Choice<'_> {
+    /// Whether it asks for bands of samples in bands of rows: samples have bands of their own.
+    fn is_banded_twice(&self) -> bool {
+        let is_set = |knob: &str| {
+            self.rows.iter().any(|row| row.case.knob() == knob && !row.case.is_default())
+        };
+        is_set("samples") && is_set("rows")
+    }
+}
+
+/// A budget such as `2M`, `850k` or a plain number: of instructions a frame, or of bytes.
 ///
 /// # Errors
 /// Anything else.
@@ -31,11 +44,22 @@ pub(crate) fn budget(text: &str) -> Result<u64, String> {
     };
     match digits.parse::<f64>() {
         Ok(number) if number > 0.0 && number.is_finite() => Ok((number * unit) as u64),
-        _ => Err(format!("`{text}` is no budget: say 2M, 850k or 2000000 instructions a frame")),
+        _ => Err(format!("`{text}` is no budget: say 2M, 850k or 2000000")),
     }
 }
 
-/// What is recommended for a scene, as text.
+/// The scenes that there are.
+fn scenes() -> String {
+    let mut names: Vec<String> =
+        drawing::all().filter_map(|scene| Case::parse(scene.name)).map(|case| case.scene).collect();
+    names.sort();
+    names.dedup();
+    names.retain(|name| name != "range");
+    format!("choose from {}", names.join(", "))
+}
+
+/// What is recommended for a scene, as text: at most `budget` instructions a frame and `memory`
+/// bytes of buffers.
 ///
 /// # Errors
 /// A scene that is not there, or that has no settings to choose.
@@ -44,29 +68,40 @@ pub(crate) fn advise(
     scene: &str,
     board: usize,
     budget: u64,
+    memory: usize,
 ) -> Result<String, String> {
-    let of_scene: Vec<&Row> = rows.iter().filter(|row| row.case.scene == scene).collect();
-    let Some(base) = of_scene.iter().find(|row| row.case.is_default()) else {
-        let mut scenes: Vec<_> = rows
-            .iter()
-            .filter(|row| row.case.is_default())
-            .map(|row| row.case.scene.as_str())
-            .collect();
-        scenes.dedup();
-        return Err(format!("there is no scene `{scene}`; choose from {}", scenes.join(", ")));
+    let of_scene = || rows.iter().filter(|row| row.case.scene == scene);
+    let Some(base) = of_scene().find(|row| row.case.is_default() && is_traded(&row.case)) else {
+        return Err(format!("there is nothing to choose in a scene `{scene}`; {}", scenes()));
     };
-    let choices = choices(&knobs(&of_scene), base, board);
+    // A scene may be shown in several ways, as in colours instead of a texture: the first counts.
+    let ideal = Key::ideal(&base.case);
+    let alike: Vec<&Row> = of_scene().filter(|row| Key::ideal(&row.case) == ideal).collect();
+    let choices = choices(&knobs(&alike), base, board);
     let name = BOARDS.get(board).map_or("", |(_, name)| name);
-    let fits = choices.iter().filter(|choice| choice.instructions <= budget as f64);
-    let better = |a: &&Choice<'_>, b: &&Choice<'_>| {
-        let error = a.square.sqrt().total_cmp(&b.square.sqrt());
-        error.then(a.instructions.total_cmp(&b.instructions)).then(a.memory.cmp(&b.memory))
+    let fits: Vec<&Choice<'_>> = choices
+        .iter()
+        .filter(|choice| choice.instructions <= budget as f64 && choice.memory <= memory)
+        .filter(|choice| !choice.is_banded_twice())
+        .collect();
+    let least = fits.iter().map(|choice| choice.square).fold(f64::MAX, f64::min);
+    // What differs by less than this is not seen: then the defaults, and what is cheaper.
+    let is_as_good = |choice: &&&Choice<'_>| choice.square.sqrt() <= least.sqrt() * 1.01;
+    let changes =
+        |choice: &Choice<'_>| choice.rows.iter().filter(|row| !row.case.is_default()).count();
+    let better = |a: &&&Choice<'_>, b: &&&Choice<'_>| {
+        changes(a).cmp(&changes(b)).then(a.instructions.total_cmp(&b.instructions))
     };
     let mut text = format!("{scene} on {name}, {} instructions a frame\n", millions(budget));
-    let Some(best) = fits.min_by(better) else {
+    let Some(best) = fits.iter().filter(is_as_good).min_by(better) else {
         let cheapest = choices.iter().min_by(|a, b| a.instructions.total_cmp(&b.instructions));
         let least = cheapest.map_or(0.0, |choice| choice.instructions);
-        let _ = writeln!(text, "nothing fits: the least is {}", millions(least as u64));
+        let smallest = choices.iter().map(|choice| choice.memory).min().unwrap_or(0);
+        let _ = writeln!(
+            text,
+            "nothing fits: the least is {} instructions, and {smallest} bytes of buffers",
+            millions(least as u64)
+        );
         return Ok(text);
     };
     for row in &best.rows {
@@ -87,8 +122,7 @@ pub(crate) fn advise(
         millions(base.cost.instructions[board]),
         number(base.errors.from_ideal)
     );
-    let changed = best.rows.iter().filter(|row| !row.case.is_default()).count();
-    if changed > 1 {
+    if changes(best) > 1 {
         text.push_str(
             "Costs and squared errors of single changes were added up; draw it to know.\n",
         );

@@ -52,6 +52,9 @@ struct Arguments {
     /// The scene of the budget.
     #[arg(long, value_name = "SCENE")]
     scene: Option<String>,
+    /// Bytes of buffers that the budget allows, such as 320k.
+    #[arg(long, value_name = "BYTES", requires = "budget")]
+    memory: Option<String>,
     /// Use the recorded counts, even where QEMU is installed.
     #[arg(long)]
     recorded: bool,
@@ -85,9 +88,11 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     if let (Some(budget), Some(scene)) = (&arguments.budget, &arguments.scene) {
         let budget = advice::budget(budget)?;
         let board = board_of(&arguments.target)?;
+        let memory = arguments.memory.as_deref().map_or(Ok(u64::MAX), advice::budget)?;
+        let memory = usize::try_from(memory).unwrap_or(usize::MAX);
         let costs = Costs::recorded(&root)?;
         let report = Report::new(&root, &costs, |name| name.scene == *scene)?;
-        print!("{}", advice::advise(&report.rows, scene, board, budget)?);
+        print!("{}", advice::advise(&report.rows, scene, board, budget, memory)?);
         println!("{}", table::source(&costs));
         return Ok(());
     }
@@ -126,5 +131,6 @@ fn board_of(target: &str) -> Result<usize, String> {
 
 /// The crate's repository, which this package lies in.
 fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package.ancestors().nth(2).unwrap_or(package).to_path_buf()
 }

@@ -45,22 +45,26 @@ impl Report {
         costs: &Costs,
         wanted: impl Fn(&Case) -> bool,
     ) -> Result<Self, String> {
-        let bunny = match bunny::find(root).and_then(|file| bunny::convert(&file)) {
-            Ok(words) => Some(words),
-            Err(why) => {
-                eprintln!("tradeoff: the bunny is left out: {why}");
-                None
-            }
+        let bunny = bunny::find(root).and_then(|file| bunny::convert(&file));
+        let mut missing = bunny.as_ref().err().cloned();
+        let mut report = Self {
+            rows: Vec::new(),
+            truths: Truths::default(),
+            bunny: bunny.ok(),
+            worst: Vec::new(),
         };
-        let mut report =
-            Self { rows: Vec::new(), truths: Truths::default(), bunny, worst: Vec::new() };
         let flash = Flash::read(root)?;
         for scene in drawing::all() {
             let Some(case) = Case::parse(scene.name) else {
                 return Err(format!("`{}` is no name of a case", scene.name));
             };
-            let is_missing = scene.bunny && report.bunny.is_none();
-            if !wanted(&case) || is_missing {
+            if !wanted(&case) {
+                continue;
+            }
+            if scene.bunny && report.bunny.is_none() {
+                if let Some(why) = missing.take() {
+                    eprintln!("tradeoff: the bunny is left out: {why}");
+                }
                 continue;
             }
             let words = report.bunny.take();

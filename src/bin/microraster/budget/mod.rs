@@ -17,7 +17,7 @@ use measure::{Bench, Code};
 use mesh::Prepared;
 use microraster::Size;
 use plan::{Cost, Offer, Setting, Shading};
-use report::Report;
+use report::{counted, Report};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -141,7 +141,7 @@ fn offers(
                 vertices => format!("a cache of {vertices} vertices"),
             }
         } else {
-            format!("bands of {} rows", other.rows)
+            format!("bands of {}", counted(other.rows.into(), "row"))
         };
         let ram = difference(setting.buffers(display), other.buffers(display));
         offers.push(Offer { what, ram, flash, slower: Some(100.0 * more), seen });

@@ -469,6 +469,37 @@ fn dithered<F: Steps, W: Dither + Copy>(
 }
 
 #[test]
+fn the_cells_of_a_dither_repeat_all_over_a_large_picture() {
+    fn check(dither: impl Dither, side: usize) {
+        const WIDE: usize = 150;
+        let size = Size::new(150, 150);
+        let (mut pixels, mut depth) = (vec![0_u16; WIDE * WIDE], vec![0; WIDE * WIDE]);
+        let frame = Frame::<Rgb565>::new(&mut pixels, size).expect("sizes fit");
+        let mut frame = frame.with_depth(&mut depth).expect("sizes fit");
+        let corner = |x: i32, y: i32| {
+            (ScreenVertex::from_bits(x * 16, y * 16, 9), Color::from(Rgb::new(100, 101, 102)))
+        };
+        let all = [corner(0, 0), corner(300, 0), corner(0, 300)];
+        ScreenPass::new().dither(dither).depth(Less).triangle(
+            &mut frame,
+            &Gouraud::colored(),
+            &all,
+        );
+        for (i, pixel) in pixels.iter().enumerate() {
+            let (x, y) = (i % WIDE, i / WIDE);
+            let first = pixels[y % side * WIDE + x % side];
+            assert_eq!(*pixel, first, "pixel {x}, {y} of cells of {side}");
+        }
+        let mut kinds = pixels.clone();
+        kinds.sort_unstable();
+        kinds.dedup();
+        assert!(kinds.len() > 2, "it dithers: {kinds:?}");
+    }
+    check(Dither4, 4);
+    check(Dither8, 8);
+}
+
+#[test]
 fn dither_is_the_same_in_every_scissor_and_chosen_at_run_time() {
     let whole = [Rect::from_size(SIZE)];
     let parts = [

@@ -340,3 +340,7 @@ pub(super) fn cut_line(mapping: &Mapping, ends: [Clip; 2]) -> Option<[LineEnd; 2
     }
     Some(ends.map(|[x, y, z, w, along, ..]| (mapping.corner(&Clip { x, y, z, w }), along)))
 }
+
+#[cfg(test)]
+#[path = "clipper_tests.rs"]
+mod tests;

@@ -32,20 +32,36 @@ impl Choice<'_> {
     }
 }
 
-/// A budget such as `2M`, `850k` or a plain number: of instructions a frame, or of bytes.
+/// A number such as `2M`, `850k` or `2000000`; k is `thousand`, and M its square.
 ///
 /// # Errors
 /// Anything else.
-pub(crate) fn budget(text: &str) -> Result<u64, String> {
+fn amount(text: &str, thousand: f64) -> Result<u64, String> {
     let lower = text.to_lowercase();
     let (digits, unit) = match lower.strip_suffix('m') {
-        Some(digits) => (digits, 1e6),
-        None => lower.strip_suffix('k').map_or((lower.as_str(), 1.0), |digits| (digits, 1e3)),
+        Some(digits) => (digits, thousand * thousand),
+        None => lower.strip_suffix('k').map_or((lower.as_str(), 1.0), |digits| (digits, thousand)),
     };
     match digits.parse::<f64>() {
         Ok(number) if number > 0.0 && number.is_finite() => Ok((number * unit) as u64),
-        _ => Err(format!("`{text}` is no budget: say 2M, 850k or 2000000")),
+        _ => Err(format!("`{text}` is no amount: say 2M, 850k or 2000000")),
     }
+}
+
+/// Instructions a frame: k is a thousand.
+///
+/// # Errors
+/// No number.
+pub(crate) fn budget(text: &str) -> Result<u64, String> {
+    amount(text, 1e3)
+}
+
+/// Bytes: K is 1024, as memories are counted.
+///
+/// # Errors
+/// No number.
+pub(crate) fn memory(text: &str) -> Result<u64, String> {
+    amount(text, 1024.0)
 }
 
 /// The scenes that there are.
@@ -187,6 +203,7 @@ mod tests {
         {
             assert_eq!(budget(text), Ok(number), "{text}");
         }
+        assert_eq!(memory("64K"), Ok(65_536), "bytes");
         for text in ["", "M", "-2M", "0", "nan", "2G", "inf"] {
             assert!(budget(text).is_err(), "{text}");
         }

@@ -52,7 +52,7 @@ struct Arguments {
     /// The scene of the budget.
     #[arg(long, value_name = "SCENE")]
     scene: Option<String>,
-    /// Bytes of buffers that the budget allows, such as 320k.
+    /// Bytes of buffers that the budget allows, such as 320K.
     #[arg(long, value_name = "BYTES", requires = "budget")]
     memory: Option<String>,
     /// Use the recorded counts, even where QEMU is installed.
@@ -88,7 +88,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     if let (Some(budget), Some(scene)) = (&arguments.budget, &arguments.scene) {
         let budget = advice::budget(budget)?;
         let board = board_of(&arguments.target)?;
-        let memory = arguments.memory.as_deref().map_or(Ok(u64::MAX), advice::budget)?;
+        let memory = arguments.memory.as_deref().map_or(Ok(u64::MAX), advice::memory)?;
         let memory = usize::try_from(memory).unwrap_or(usize::MAX);
         let costs = Costs::recorded(&root)?;
         let report = Report::new(&root, &costs, |name| name.scene == *scene)?;

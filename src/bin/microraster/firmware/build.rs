@@ -64,6 +64,19 @@ impl House {
         Ok(folder)
     }
 
+    /// What the compiler that builds for a board says of its version.
+    ///
+    /// # Errors
+    /// No compiler for the board's target.
+    pub(crate) fn compiler(&self, board: &Board) -> Result<String, String> {
+        let program = match Toolchain::find(board.target)? {
+            Toolchain::Rustup => "rustc",
+            Toolchain::Debian { .. } => DEBIAN_RUSTC,
+        };
+        let version = text_of(program, &["--version"]);
+        version.map(|text| text.trim().to_owned()).ok_or_else(|| format!("cannot run {program}"))
+    }
+
     /// Builds an example for a board and returns a copy of its ELF file that stays.
     ///
     /// # Errors

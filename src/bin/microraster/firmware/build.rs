@@ -64,19 +64,6 @@ impl House {
         Ok(folder)
     }
 
-    /// What the compiler that builds for a board says of its version.
-    ///
-    /// # Errors
-    /// No compiler for the board's target.
-    pub(crate) fn compiler(&self, board: &Board) -> Result<String, String> {
-        let program = match Toolchain::find(board.target)? {
-            Toolchain::Rustup => "rustc",
-            Toolchain::Debian { .. } => DEBIAN_RUSTC,
-        };
-        let version = text_of(program, &["--version"]);
-        version.map(|text| text.trim().to_owned()).ok_or_else(|| format!("cannot run {program}"))
-    }
-
     /// Builds an example for a board and returns a copy of its ELF file that stays.
     ///
     /// # Errors
@@ -187,6 +174,19 @@ impl House {
             Err(format!("the build for {target} failed; cargo says why above"))
         }
     }
+}
+
+/// What the compiler that serves a target says of itself, such as `rustc 1.90.0`.
+///
+/// # Errors
+/// No compiler for the target.
+pub(crate) fn compiler(target: &str) -> Result<String, String> {
+    let program = match Toolchain::find(target)? {
+        Toolchain::Rustup => "rustc",
+        Toolchain::Debian { .. } => DEBIAN_RUSTC,
+    };
+    let version = text_of(program, &["--version"]).unwrap_or_default();
+    Ok(version.split_whitespace().take(2).collect::<Vec<_>>().join(" "))
 }
 
 /// Which compiler serves a target.

@@ -3,8 +3,8 @@
 use microraster::math::Mat4;
 use microraster::{
     Alpha, Color, ConstantAlpha, Dither4, Dither8, DrawContext, Equal, Flat, FlatColor, Format,
-    Frame, Gouraud, IncrementWrap, Less, Off, Pass, Rgb, Rgb565, Row, Shader, State, Stats,
-    Stencil, Stenciled, VertexInput,
+    Frame, Gouraud, IncrementWrap, Less, Off, Pass, Rgb, Rgb565, Row, Shader, State, Stencil,
+    Stenciled, VertexInput,
 };
 
 use super::standard::{camera, facts, frame, measured, quad, SIZE};

@@ -9,10 +9,12 @@ pub(crate) mod golden;
 pub(crate) mod grid;
 pub(crate) mod hash;
 pub(crate) mod model;
+pub(crate) mod operations;
 pub(crate) mod primitives;
 pub(crate) mod standard;
 pub(crate) mod textured;
 pub(crate) mod toon;
+pub(crate) mod vertices;
 
 use microraster::{Color, VertexCache};
 pub(crate) use model::Model;
@@ -54,7 +56,7 @@ pub(crate) trait Probe {
 pub(crate) struct Facts {
     /// Bytes of colour from the start of the buffer that make up the picture.
     pub(crate) bytes: usize,
-    /// Triangles submitted.
+    /// Triangles, lines or points submitted.
     pub(crate) triangles: u32,
 }
 
@@ -83,14 +85,19 @@ pub(crate) struct Scene<P> {
     pub(crate) draw: fn(&mut Stage<'_>, frame: u32, probe: &mut P) -> Facts,
 }
 
-/// All scenes.
-pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
+/// The measured scenes.
+pub(crate) fn standard<P: Probe>() -> impl Iterator<Item = Scene<P>> {
     standard::scenes()
         .into_iter()
         .chain(primitives::scenes())
         .chain(toon::scenes())
         .chain(fragments::scenes())
+        .chain(operations::scenes())
         .chain(textured::scenes())
-        .chain(golden::scenes())
-        .chain(gallery::scenes())
+        .chain(vertices::scenes())
+}
+
+/// All scenes.
+pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
+    standard().chain(golden::scenes()).chain(gallery::scenes())
 }

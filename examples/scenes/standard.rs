@@ -14,8 +14,8 @@ use microraster::math::{Angle, Mat4, Vec3};
 use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_POSITIONS};
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Camera, Cull, DepthBuffer, Flat, Frame, FrameError, Gouraud, IndexedList, Lambert, Less, Light,
-    Mesh, Normal, Pass, Rgb, Rgb565, ScreenPass, Shader, Size, Stats,
+    Camera, ConstantDepth, Cull, DepthBuffer, Flat, Frame, FrameError, Gouraud, IndexedList,
+    Lambert, Less, Light, Mesh, Normal, Pass, Rgb, Rgb565, ScreenPass, Shader, Size,
 };
 
 use super::{grid, Facts, Group, Probe, Scene, Stage, ROOM};
@@ -25,13 +25,14 @@ pub(crate) const SIZE: Size = Size::new(320, 240);
 const BYTES: usize = ROOM * 2;
 
 /// The list.
-pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 10] {
+pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 11] {
     let scene =
         |name, frames, bunny, draw| Scene { name, group: Group::Standard, frames, bunny, draw };
     [
         scene("clear", 1, false, clear::<P>),
         scene("F1", 1, false, f1::<P>),
         scene("F2", 1, false, f2::<P>),
+        scene("F2-constant", 1, false, f2_constant::<P>),
         scene("F3", 1, false, f3::<P>),
         scene("S1", 1, false, s1::<P>),
         scene("S1-raster", 1, false, s1_raster::<P>),
@@ -87,7 +88,7 @@ pub(super) fn quad() -> Mesh<'static, Rgb, IndexedList<'static, u16>> {
 macro_rules! measured {
     ($probe:ident, $pass:expr, |$with:ident| $draw:expr) => {
         if P::COUNTING {
-            let mut stats = Stats::default();
+            let mut stats = microraster::Stats::default();
             {
                 let mut $with = $pass.count(&mut stats);
                 $draw;
@@ -123,6 +124,21 @@ fn f2<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
         let (camera, quad) = (camera(), quad());
         let shader = Flat::solid(Rgb::new(255, 128, 0));
         measured!(probe, Pass::new(&camera).depth(Less), |pass| pass.draw(
+            &mut frame,
+            &Mat4::identity(),
+            &quad,
+            &shader
+        ));
+    }
+    facts(2)
+}
+
+/// Fill with the mean depth of each triangle.
+fn f2_constant<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    if let Ok(mut frame) = frame(stage.color, stage.depth) {
+        let (camera, quad) = (camera(), quad());
+        let shader = Flat::solid(Rgb::new(255, 128, 0));
+        measured!(probe, Pass::new(&camera).depth(ConstantDepth::new(Less)), |pass| pass.draw(
             &mut frame,
             &Mat4::identity(),
             &quad,

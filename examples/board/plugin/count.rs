@@ -1,4 +1,4 @@
-//! A QEMU plugin: counts executed instructions by function and by address.
+//! A QEMU plugin: counts executed instructions by function and by address, and taken branches.
 //!
 //! Only the measured parts count: what runs between a first and a second reading of the board's
 //! clock (`meter::clock::now`). `cargo firmware --profile SCENE` builds and uses it; by hand:
@@ -11,6 +11,7 @@
 use std::collections::HashMap;
 use std::ffi::{c_char, c_int, c_uint, c_void, CStr, CString};
 use std::fmt::Write as _;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 extern "C" {
@@ -32,9 +33,16 @@ extern "C" {
         flags: c_int,
         data: *mut c_void,
     );
+    fn qemu_plugin_register_vcpu_tb_exec_cb(
+        block: *mut c_void,
+        callback: extern "C" fn(c_uint, *mut c_void),
+        flags: c_int,
+        data: *mut c_void,
+    );
     fn qemu_plugin_tb_n_insns(block: *const c_void) -> usize;
     fn qemu_plugin_tb_get_insn(block: *const c_void, index: usize) -> *mut c_void;
     fn qemu_plugin_insn_vaddr(insn: *const c_void) -> u64;
+    fn qemu_plugin_insn_size(insn: *const c_void) -> usize;
     fn qemu_plugin_insn_symbol(insn: *const c_void) -> *const c_char;
     fn qemu_plugin_insn_disas(insn: *const c_void) -> *mut c_char;
     fn qemu_plugin_outs(text: *const c_char);
@@ -47,6 +55,20 @@ pub static qemu_plugin_version: c_int = 1;
 
 /// How the clock's function is written in both of the compiler's manglings.
 const CLOCK: &str = "5meter5clock3now";
+
+/// Whether a measured part runs, for [`block_runs`], which is called far too often for a lock.
+static MEASURING: AtomicBool = AtomicBool::new(false);
+/// Where the block that ran last ends.
+static END: AtomicU64 = AtomicU64::new(0);
+/// Branches, calls and returns that were taken in measured parts: a block that ran after one that
+/// does not end where it begins.
+static TAKEN: AtomicU64 = AtomicU64::new(0);
+
+/// Where a translated block lies.
+struct Block {
+    start: u64,
+    end: u64,
+}
 
 /// One instruction of the firmware.
 struct Place {
@@ -103,6 +125,7 @@ extern "C" fn clock_read(_processor: c_uint, _data: *mut c_void) {
     let mut guard = state();
     let Some(state) = guard.as_mut() else { return };
     state.measuring = !state.measuring;
+    MEASURING.store(state.measuring, Relaxed);
     for place in state.places.values_mut() {
         if state.measuring {
             place.before = *place.running;
@@ -112,12 +135,28 @@ extern "C" fn clock_read(_processor: c_uint, _data: *mut c_void) {
     }
 }
 
+/// A branch ends its block, so that one which is taken is seen between two of them.
+extern "C" fn block_runs(_processor: c_uint, data: *mut c_void) {
+    // SAFETY: what `translated` has leaked for this callback.
+    let Block { start, end } = unsafe { &*data.cast::<Block>() };
+    if END.swap(*end, Relaxed) != *start && MEASURING.load(Relaxed) {
+        TAKEN.fetch_add(1, Relaxed);
+    }
+}
+
 extern "C" fn translated(_id: u64, block: *mut c_void) {
     let mut guard = state();
     let Some(state) = guard.as_mut() else { return };
     // SAFETY: all calls are on the block that QEMU lends for this callback; the counters are
     // boxed, so that they stay in place, and live as long as the process.
     unsafe {
+        let last = qemu_plugin_tb_get_insn(block, qemu_plugin_tb_n_insns(block) - 1);
+        let range = Block {
+            start: qemu_plugin_insn_vaddr(qemu_plugin_tb_get_insn(block, 0)),
+            end: qemu_plugin_insn_vaddr(last) + qemu_plugin_insn_size(last) as u64,
+        };
+        let range = Box::into_raw(Box::new(range)).cast();
+        qemu_plugin_register_vcpu_tb_exec_cb(block, block_runs, 0, range);
         for index in 0..qemu_plugin_tb_n_insns(block) {
             let insn = qemu_plugin_tb_get_insn(block, index);
             let address = qemu_plugin_insn_vaddr(insn);
@@ -156,7 +195,8 @@ extern "C" fn finished(_id: u64, _data: *mut c_void) {
             .unwrap_or("?");
         *mnemonics.entry(mnemonic).or_insert(0) += place.count;
     }
-    let mut report = format!("instructions {total}\n");
+    let taken = TAKEN.load(Relaxed);
+    let mut report = format!("instructions {total}\ntaken {taken}\n");
     for (title, table) in [
         (
             "function",

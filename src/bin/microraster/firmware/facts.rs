@@ -141,6 +141,21 @@ impl Line {
 }
 
 impl Line {
+    /// The board's name.
+    pub(crate) const fn board(&self) -> &'static str {
+        self.board
+    }
+
+    /// Instructions of a frame, the mean.
+    pub(crate) fn mean_instructions(&self) -> u64 {
+        self.mean(self.instructions)
+    }
+
+    /// The mean of a frame of a sum over all frames.
+    fn mean(&self, sum: u64) -> u64 {
+        (sum + self.frames / 2).checked_div(self.frames).unwrap_or(0)
+    }
+
     /// The scene's name.
     pub(crate) fn scene(&self) -> &str {
         &self.scene
@@ -170,15 +185,14 @@ impl Line {
 impl fmt::Display for Line {
     /// Figures are the means of a frame.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mean = |sum: u64| (sum + self.frames / 2).checked_div(self.frames).unwrap_or(0);
         write!(
             f,
             "board={} scene={} instructions={} pixels={} triangles={}",
             self.board,
             self.scene,
-            mean(self.instructions),
-            mean(self.pixels),
-            mean(self.triangles)
+            self.mean_instructions(),
+            self.mean(self.pixels),
+            self.mean(self.triangles)
         )?;
         for (name, count) in [("per_pixel", self.pixels), ("per_triangle", self.triangles)] {
             if count > 0 {

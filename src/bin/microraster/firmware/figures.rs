@@ -1,7 +1,6 @@
 //! The table of figures in a Markdown file, made from what was just measured.
 
-use super::facts::Line;
-use std::fmt::Write;
+use std::fmt;
 use std::path::Path;
 
 const END: &str = "<!-- end of figures -->";
@@ -9,7 +8,7 @@ const END: &str = "<!-- end of figures -->";
 /// The line before a table; a file with several tables has a name for each.
 fn begin(name: &str) -> String {
     let space = if name.is_empty() { "" } else { " " };
-    format!("<!-- figures{space}{name}: made by `cargo firmware --figures`, not by hand -->")
+    format!("<!-- figures{space}{name}: made by `cargo firmware`, not by hand -->")
 }
 
 /// Rows of the table, one a figure; a cell a board.
@@ -41,43 +40,6 @@ impl Figures {
         }
     }
 
-    /// Puts a scene's figure: by pixel for fills, by triangle for small triangles, by frame for
-    /// meshes.
-    pub(crate) fn scene(&mut self, line: &Line) {
-        let scene = line.scene();
-        let by = |count: u64| line.instructions() as f64 / count.max(1) as f64;
-        match scene.get(..1) {
-            Some("S") => {
-                let figure = format!("{:.0}", by(line.triangles()));
-                self.put(&format!("{scene}, instructions a triangle"), figure);
-            }
-            Some("M") => {
-                let figure = format!("{:.2} M", by(line.frames()) / 1e6);
-                self.put(&format!("{scene}, instructions a frame"), figure);
-            }
-            _ => {
-                let figure = format!("{:.2}", by(line.pixels()));
-                self.put(&format!("{scene}, instructions a pixel"), figure);
-            }
-        }
-    }
-
-    fn table(&self) -> String {
-        let mut table = format!(
-            "| |{}\n| --- |",
-            self.boards.iter().fold(String::new(), |mut head, board| {
-                // Writing to a string cannot fail.
-                let _ = write!(head, " {board} |");
-                head
-            })
-        );
-        table.push_str(&" ---: |".repeat(self.boards.len()));
-        for (what, cells) in &self.rows {
-            let _ = write!(table, "\n| {what} | {} |", cells.join(" | "));
-        }
-        table
-    }
-
     /// Replaces what stands between the marks of this name, which may be empty.
     ///
     /// # Errors
@@ -95,7 +57,21 @@ impl Figures {
         let begin = begin(name);
         let (before, rest) = text.split_once(&begin)?;
         let (_, after) = rest.split_once(END)?;
-        Some(format!("{before}{begin}\n{}\n{END}{after}", self.table()))
+        Some(format!("{before}{begin}\n{}\n{END}{after}", self))
+    }
+}
+
+impl fmt::Display for Figures {
+    /// As Markdown, without a last end of line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("| |")?;
+        self.boards.iter().try_for_each(|board| write!(f, " {board} |"))?;
+        write!(f, "\n| --- |{}", " ---: |".repeat(self.boards.len()))?;
+        self.rows.iter().try_for_each(|(what, cells)| {
+            let mut cells = cells.clone();
+            cells.resize(self.boards.len(), String::new());
+            write!(f, "\n| {what} | {} |", cells.join(" | "))
+        })
     }
 }
 
@@ -111,7 +87,10 @@ mod tests {
         figures.board("m0");
         figures.put("one", "2".into());
         figures.put("late", "3".into());
-        let table = "| | m4 | m0 |\n| --- | ---: | ---: |\n| one | 1 | 2 |\n| late |  | 3 |";
+        figures.board("rv32");
+        figures.put("one", "4".into());
+        let table = "| | m4 | m0 | rv32 |\n| --- | ---: | ---: | ---: |\n| one | 1 | 2 | 4 |\n\
+                     | late |  | 3 |  |";
         let (first, second) = (begin(""), begin("ladder m4"));
         let text = |one: &str, two: &str| {
             format!("above\n{first}\n{one}\n{END}\nbelow\n{second}\n{two}\n{END}\nend\n")

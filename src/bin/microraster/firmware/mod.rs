@@ -1,18 +1,25 @@
 //! `microraster firmware`: draws the scenes on boards under QEMU and compares every frame with
 //! the host's, bit for bit.
 
+mod asm;
 pub(crate) mod board;
 pub(crate) mod build;
 mod bunny;
+mod callgrind;
+mod cycles;
 pub(crate) mod elf;
 pub(crate) mod emulate;
 mod facts;
 mod figures;
 mod ladder;
 pub(crate) mod lines;
+mod marks;
 pub(crate) mod mesh_file;
 mod no_panic;
+mod per;
+mod performance;
 mod profile;
+mod record;
 #[path = "../../../../examples/scenes/mod.rs"]
 pub(crate) mod scenes;
 pub(crate) mod sizes;
@@ -22,6 +29,7 @@ use build::House;
 use elf::Elf;
 use facts::{Counter, Frame, Line};
 use figures::Figures;
+use record::Record;
 use scenes::{Model, Scene};
 use std::path::PathBuf;
 
@@ -58,9 +66,25 @@ pub(crate) struct Arguments {
     /// Memory by section; with --sizes, every symbol.
     #[arg(short, long)]
     verbose: bool,
-    /// Put speeds and sizes, or with --features those sizes, into the table of a Markdown file.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["profile", "library"])]
+    /// Put what --features or --ladder measures into the tables of a Markdown file.
+    #[arg(long, value_name = "FILE")]
     figures: Option<PathBuf>,
+    /// Draw the measured scenes on five boards and on the host, and write docs/PERFORMANCE.md, the
+    /// README's table and the record docs/performance.csv. Takes some minutes.
+    #[arg(long, conflicts_with_all = ["boards", "scenes", "frames", "profile", "asm", "sizes",
+        "ladder", "no_panic", "library", "figures"])]
+    performance: bool,
+    /// Fail where a figure has risen by more than 2 % over those of a record.
+    #[arg(long, value_name = "RECORD", conflicts_with_all = ["frames", "profile", "asm", "sizes",
+        "ladder", "no_panic", "library"])]
+    gate: Option<PathBuf>,
+    /// Print the hot loops of one scene: each instruction, and how often it was executed.
+    #[arg(long, value_name = "SCENE", conflicts_with_all = ["scenes", "sizes", "library",
+        "profile"])]
+    asm: Option<String>,
+    /// Draw one scene on the host and nothing else: what callgrind counts.
+    #[arg(long, hide = true, value_name = "SCENE")]
+    on_host: Option<String>,
     /// Print where the instructions of one scene go, by function and by address.
     #[arg(long, value_name = "SCENE", conflicts_with_all = ["scenes", "sizes", "library"])]
     profile: Option<String>,
@@ -78,10 +102,10 @@ pub(crate) struct Arguments {
     example: Option<String>,
     /// Weigh and run a ladder of scenes instead, each with one feature more than the one before;
     /// with --figures, put a table for each board into a Markdown file.
-    #[arg(long, conflicts_with_all = ["scenes", "sizes", "library", "profile", "no_panic"])]
+    #[arg(long, conflicts_with_all = ["scenes", "sizes", "library", "profile", "no_panic", "asm"])]
     ladder: bool,
     /// Look for a way to panic in firmware that draws with everything, instead.
-    #[arg(long, conflicts_with_all = ["scenes", "sizes", "library", "profile", "figures"])]
+    #[arg(long, conflicts_with_all = ["scenes", "sizes", "library", "profile", "figures", "asm"])]
     no_panic: bool,
     /// Build the bare library, without alloc, for Armv6-M, Armv7E-M, RISC-V and wasm instead.
     #[arg(long, conflicts_with_all = ["scenes", "boards"])]
@@ -94,8 +118,13 @@ pub(crate) struct Arguments {
 /// What is missing, what failed, or that a board drew another picture than the host.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let house = House::find()?;
-    let boards: Vec<_> =
-        arguments.boards.iter().map(|name| board::find(name)).collect::<Result<_, _>>()?;
+    if let Some(scene) = &arguments.on_host {
+        let words = bunny::find(&house.package).and_then(|file| bunny::convert(&file)).ok();
+        return callgrind::draw(scene, words.as_deref().and_then(view));
+    }
+    let names =
+        if arguments.performance { performance::boards() } else { arguments.boards.clone() };
+    let boards: Vec<_> = names.iter().map(|name| board::find(name)).collect::<Result<_, _>>()?;
     if arguments.library {
         return LIBRARY_TARGETS.iter().try_for_each(|target| {
             house.library(target)?;
@@ -126,11 +155,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         return boards.iter().try_for_each(|board| lines_of(&house, board, example));
     }
 
-    let names =
-        arguments.profile.as_ref().map_or(arguments.scenes.as_slice(), std::slice::from_ref);
+    let names = match arguments.profile.as_ref().or(arguments.asm.as_ref()) {
+        Some(scene) => std::slice::from_ref(scene),
+        None if arguments.performance => &["standard".to_owned()],
+        None => arguments.scenes.as_slice(),
+    };
     let mut scenes = facts::asked(names)?;
+    let asked = scenes.len();
     let mesh = mesh(&house, &mut scenes)?;
-    let bunny = mesh.as_ref().and_then(|words| Model::view(bytemuck::cast_slice(words)));
+    if arguments.performance && scenes.len() < asked {
+        return Err("the tables and the record need all measured scenes".into());
+    }
+    let bunny = mesh.as_deref().and_then(view);
     let limit = arguments.frames.unwrap_or(u32::MAX);
     let mut words: Vec<_> = scenes.iter().map(|scene| scene.name.to_string()).collect();
     words.push(format!("frames={limit}"));
@@ -139,28 +175,33 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
             .iter()
             .try_for_each(|board| profile::print(&house, board, &words, arguments.rows));
     }
+    if arguments.asm.is_some() {
+        return boards.iter().try_for_each(|board| asm::print(&house, board, &words));
+    }
 
     let expected: Vec<_> = scenes.iter().map(|scene| facts::draw(scene, bunny, limit)).collect();
-    let (mut wrong, mut figures) = (0, Figures::default());
-    for board in boards {
+    let (mut all, mut record) = (Vec::new(), Record::default());
+    for board in &boards {
         let lines = compare(&house, board, &scenes, &expected, &words, arguments.verbose)?;
-        wrong += lines.iter().filter(|line| line.differs.is_some()).count();
-        if arguments.figures.is_some() {
-            figures.board(board.name);
-            lines.iter().for_each(|line| figures.scene(line));
-            for (what, bytes) in sizes::figures(&house, board)? {
-                figures.put(&what, bytes.to_string());
-            }
-        }
+        // What is not measured has no figure to keep.
+        let is_measured = |scene: &Scene<Counter>| scene.group == scenes::Group::Standard;
+        let measured = scenes.iter().zip(&lines).filter(|(scene, _)| is_measured(scene));
+        record.add(measured.map(|(_, line)| line), &build::compiler(board.target)?);
+        all.extend(lines);
     }
-    if let (Some(file), 0) = (&arguments.figures, wrong) {
-        figures.write(file, "")?;
+    match all.iter().filter(|line| line.differs.is_some()).count() {
+        0 => {}
+        wrong => return Err(format!("{wrong} scenes differ between a board and the host")),
     }
-    if wrong == 0 {
-        Ok(())
-    } else {
-        Err(format!("{wrong} scenes differ between a board and the host"))
+    if arguments.performance {
+        performance::write(&house, &boards, &all, &record)?;
     }
+    arguments.gate.as_ref().map_or(Ok(()), |file| record::gate(&record, file))
+}
+
+/// The mesh in the words of its file.
+fn view(words: &[u32]) -> Option<Model<'_>> {
+    Model::view(bytemuck::cast_slice(words))
 }
 
 /// Writes the bunny's mesh file for the firmware and gives its words. Where there is no bunny,

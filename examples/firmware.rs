@@ -5,6 +5,9 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
+#[path = "board/run.rs"]
+mod run;
+#[cfg(target_os = "none")]
 #[allow(dead_code, reason = "the host asks the scenes more than the board does")]
 mod scenes;
 
@@ -18,6 +21,6 @@ mod firmware {
     #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
     #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
     fn main() -> ! {
-        crate::board::run::run(crate::scenes::scenes())
+        crate::run::run(crate::scenes::scenes())
     }
 }

@@ -4,6 +4,9 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
+#[path = "board/run.rs"]
+mod run;
+#[cfg(target_os = "none")]
 #[allow(dead_code, reason = "the host asks the scenes more than the board does")]
 mod scenes;
 #[cfg(target_os = "none")]
@@ -21,6 +24,6 @@ mod firmware {
     #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
     #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
     fn main() -> ! {
-        crate::board::run::run(crate::tradeoff::cases())
+        crate::run::run(crate::tradeoff::cases())
     }
 }

@@ -3,8 +3,8 @@
 //! The words of the command line are names of scenes, or `all`, and `frames=N`, which draws only
 //! the first N of each.
 
-use super::buffer::Buffer;
-use super::{meter, say, semihost, stack};
+use crate::board::buffer::Buffer;
+use crate::board::{meter, say, semihost, stack};
 use crate::scenes::{hash, Model, Probe, Scene, Stage, CACHED, ROOM};
 use microraster::{Color, VertexCache};
 

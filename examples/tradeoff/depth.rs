@@ -3,7 +3,7 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "few columns")]
 
 use microraster::math::{Mat4, Vec3};
-use microraster::{Camera, Flat, Less, Pass, Rgb, Stats};
+use microraster::{Camera, Flat, Less, Pass, Rgb};
 
 use super::{case, Shape};
 use crate::scenes::standard::{camera, facts, frame, measured};

@@ -2,7 +2,7 @@
 
 use microraster::math::{Mat4, Vec3};
 use microraster::{
-    ConstantDepth, Dither4, Dither8, Gouraud, Less, Off, Pass, ReadOnly, Rgb, Stats, Undithered,
+    ConstantDepth, Dither4, Dither8, Gouraud, Less, Off, Pass, ReadOnly, Rgb, Undithered,
 };
 
 use super::{knob, Shape};

@@ -6,7 +6,7 @@ use microraster::math::Angle;
 use microraster::raster::ScreenVertex;
 use microraster::{
     Add, Alpha, Average, Blend, Color, ConstantAlpha, Flat, Gouraud, LineStyle, Midpoint, Multiply,
-    Rectangle, Replace, Rgb, ScreenPass, Smooth, Stats, Thin,
+    Rectangle, Replace, Rgb, ScreenPass, Smooth, Thin,
 };
 
 use super::knob;

@@ -4,7 +4,7 @@ use microraster::math::{Angle, Mat4, Vec3, Vec4};
 use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_POSITIONS};
 use microraster::{
     Color, Cull, DepthBuffer, Flat, Format, Frame, Gouraud, Less, Normal, Pass, Phong, Rgb, Rgb565,
-    Rgb565Be, Rgba8888, Shader, Size, Stats, VertexCache,
+    Rgb565Be, Rgba8888, Shader, Size, VertexCache,
 };
 
 use super::{knob, sampled, Shape};

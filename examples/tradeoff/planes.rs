@@ -5,8 +5,8 @@ use microraster::math::{Angle, Mat4, Vec3};
 use microraster::shade::FogPlace;
 use microraster::{
     Adaptive, Affine, AtFragments, AtVertices, Color, Corner, DrawContext, Every, Exact, Flat, Fog,
-    Fogged, Gouraud, Less, Pass, Perspective, PerspectiveMode, Rgb, Shader, SmoothColor, Stats,
-    Textured, VertexInput,
+    Fogged, Gouraud, Less, Pass, Perspective, PerspectiveMode, Rgb, Shader, SmoothColor, Textured,
+    VertexInput,
 };
 
 use super::texture::{ByBilinear, ByFineBilinear, ByMipBilinear, ByMipNearest, ByNearest, Reading};

@@ -3,7 +3,7 @@
 #![allow(clippy::cast_possible_truncation, reason = "directions of 16 bits")]
 
 use microraster::math::{Angle, Mat4, Vec3};
-use microraster::{Flat, Less, Pass, Rgb, Stats};
+use microraster::{Flat, Less, Pass, Rgb};
 
 use super::{knob, sampled, Shape};
 use crate::scenes::standard::{camera, facts, frame, measured};

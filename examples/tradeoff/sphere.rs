@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 use microraster::math::{Angle, Mat4, Vec3};
 use microraster::{
     BlinnPhong, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, Gouraud, Less, Light, Normal,
-    Pass, Phong, Rgb, Scalars, Shader, SmoothColor, Stats, VertexInput,
+    Pass, Phong, Rgb, Scalars, Shader, SmoothColor, VertexInput,
 };
 
 use super::inverse_root::{Bits, Exact, InverseRoot, Table};

@@ -3,7 +3,7 @@
 use microraster::math::Mat4;
 use microraster::{
     AtFragments, AtVertices, Cull, Dither, Dither4, Dither8, Fogged, Gouraud, Lambert, Less,
-    Normal, Pass, Rgb, Shader, Stats, Tinted, Undithered,
+    Normal, Pass, Rgb, Shader, Tinted, Undithered,
 };
 
 use super::knob;

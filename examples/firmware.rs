@@ -19,13 +19,14 @@ fn main() {
 mod firmware {
     use crate::board::buffer::Buffer;
     use crate::board::{meter, say, semihost, stack};
-    use crate::scenes::{hash, scenes, Model, Probe, Stage, CACHED, ROOM};
+    use crate::scenes::{hash, scenes, ListRoom, Model, Probe, Stage, CACHED, ROOM};
     use microraster::{Color, VertexCache};
 
     static COLOR: Buffer<[u32; ROOM]> = Buffer::new([0; ROOM]);
     static DEPTH: Buffer<[u16; ROOM]> = Buffer::new([0; ROOM]);
     static CACHE: Buffer<VertexCache<Color, CACHED>> =
         Buffer::new(VertexCache::with_blank(Color::new(0, 0, 0)));
+    static LIST: Buffer<ListRoom> = Buffer::new(ListRoom::NEW);
     /// Room for the mesh file, in words so that it is aligned.
     static MESH: Buffer<[u32; 32 * 1024]> = Buffer::new([0; 32 * 1024]);
     /// Room for the command line.
@@ -73,6 +74,7 @@ mod firmware {
             depth: DEPTH.take()?,
             cache: CACHE.take()?,
             bunny: bunny(),
+            list: LIST.take()?,
         };
         let empty = meter::instructions(|| ()).0;
         let mut probe = Meter { empty, instructions: 0, stack: 0 };

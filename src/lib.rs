@@ -50,8 +50,9 @@ pub use frame::{
     Band, Bands, DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, StencilBuffer, MAX_SIDE,
 };
 pub use pipeline::{
-    Attenuated, Clip, Cull, LineStyle, Midpoint, Pass, PointSize, Rectangle, ScreenPass,
-    ShadedVertex, SizeOf, Smooth, Stippled, Supersampling, Thin, VertexCache, Wide, Winding,
+    Attenuated, Clip, Cull, DisplayList, LineStyle, ListError, ListTriangle, ListVertex, Midpoint,
+    Pass, PointSize, Recording, Rectangle, ScreenPass, ShadedVertex, SizeOf, Smooth, Stippled,
+    Supersampling, Thin, VertexCache, Wide, Winding,
 };
 pub use scene::{
     normal, AnyLightKind, AnyTopology, Attenuation, Camera, Consecutive, DirectionalLight,

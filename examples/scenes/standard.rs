@@ -199,7 +199,7 @@ fn s1_raster<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Fac
 }
 
 /// An indexed mesh with normals.
-type Lit<'a> = Mesh<'a, Normal, IndexedList<'a, u16>>;
+pub(super) type Lit<'a> = Mesh<'a, Normal, IndexedList<'a, u16>>;
 
 /// A lit mesh, centred at z = -3.0178 and turned.
 #[derive(Clone, Copy)]
@@ -227,7 +227,7 @@ impl Turning<'_> {
     }
 }
 
-fn light() -> Lambert<1> {
+pub(super) fn light() -> Lambert<1> {
     let sun = Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::new(204, 204, 204));
     Lambert::new(&[sun]).ambient(Rgb::new(51, 51, 51)).material(Rgb::new(230, 190, 140))
 }
@@ -248,7 +248,7 @@ fn fitted<'a>(positions: &'a [[i16; 3]], normals: &'a [Normal], indices: &'a [u1
         .placed(Vec3::new(scale, scale, scale), Vec3::new(middle(0), middle(1), middle(2)) * -scale)
 }
 
-fn bunny<'a>(stage: &Stage<'a>) -> Lit<'a> {
+pub(super) fn bunny<'a>(stage: &Stage<'a>) -> Lit<'a> {
     stage.bunny.map_or(Mesh::new(&[], &[]).indexed(&[]), |model| {
         fitted(model.positions, model.normals, model.indices)
     })

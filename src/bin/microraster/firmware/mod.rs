@@ -49,7 +49,7 @@ pub(crate) struct Arguments {
     /// Boards, of m0, m3, m4, m7, m33, m55 and rv32.
     #[arg(long, value_delimiter = ',', default_value = "m4,m0", value_name = "BOARD")]
     boards: Vec<String>,
-    /// Scenes by name, or the lists `gallery`, `golden`, `standard` and `all`.
+    /// Scenes by name, or the lists `bands`, `gallery`, `golden`, `standard` and `all`.
     #[arg(long, value_delimiter = ',', default_value = "all", value_name = "SCENE")]
     scenes: Vec<String>,
     /// Draw only the first frames of each scene.
@@ -141,8 +141,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         if arguments.figures.is_some() {
             figures.board(board.name);
             lines.iter().for_each(|line| figures.scene(line));
-            for (what, bytes) in sizes::figures(&house, board)? {
-                figures.put(&what, bytes.to_string());
+            // The table of the standard scenes has what drawing takes of flash, too.
+            if arguments.scenes.iter().any(|name| name == "standard") {
+                for (what, bytes) in sizes::figures(&house, board)? {
+                    figures.put(&what, bytes.to_string());
+                }
             }
         }
     }

@@ -17,6 +17,13 @@
 //! | [`frame`], [`color`] | store it: formats, stride, bands, scissor |
 //! | [`math`] | vectors, matrices, angles: the same bits everywhere |
 //!
+//! # Measured
+//!
+//! Whoever trades accuracy for speed should know the price: under this heading, the documentation
+//! of each knob says what it costs in one scene and how far that picture is from the reference
+//! renderer's. `cargo tradeoff` makes these lines, and docs/TRADEOFF.md, where all settings of all
+//! scenes stand beside each other.
+//!
 //! # Features
 //!
 //! None is on by default, and none changes a type. `embedded-graphics` makes a [`Frame`] a draw

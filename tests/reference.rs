@@ -21,6 +21,8 @@ mod support;
 mod conformance;
 #[path = "reference/coverage.rs"]
 mod coverage;
+#[path = "reference/numbers.rs"]
+mod numbers;
 #[path = "reference/perspective.rs"]
 mod perspective;
 #[path = "reference/shading.rs"]

@@ -2,6 +2,7 @@
 
 pub(crate) mod buffer;
 pub(crate) mod meter;
+pub(crate) mod run;
 pub(crate) mod semihost;
 pub(crate) mod stack;
 

@@ -13,30 +13,63 @@ use microraster::{
     Mesh, Normal, Pass, RestartIndices, Rgb, Rgb565, ScreenPass, Stats, Tinted, TriangleStrip,
 };
 
-const HAZE: Rgb = Rgb::new(214, 206, 200);
+pub(crate) const HAZE: Rgb = Rgb::new(214, 206, 200);
 const ZENITH: Rgb = Rgb::new(70, 120, 190);
 
 /// Draws the hills from a camera that turns; `turn` in degrees.
 pub(crate) fn draw(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, turn: f32, stats: &mut Stats) {
     frame.clear(HAZE);
     sky(frame, stats);
+    let camera = camera(turn);
+    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less).dither(Dither4).count(stats);
+    let shader = Fogged::new(Gouraud::new(Tinted(light())), fog());
+    pass.draw(frame, &Mat4::identity(), &hills(), &shader);
+}
+
+pub(crate) fn camera(turn: f32) -> Camera {
     let (sin, cos) = turn.degrees().sin_cos();
     let eye = Vec3::new(9.0 * sin, 3.4, 9.0 * cos);
-    let camera = Camera::perspective(50.0.degrees(), 0.5).look_at(
+    Camera::perspective(50.0.degrees(), 0.5).look_at(
         eye,
         Vec3::new(-1.5 * sin, 0.4, -1.5 * cos),
         Vec3::Y,
-    );
-    let sun = Light::directional(Vec3::new(0.8, -0.55, 0.3), Rgb::new(235, 220, 190));
-    let light = Lambert::new(&[sun]).ambient(Rgb::new(62, 70, 90));
-    let fog = Fog::exponential_squared(HAZE, 0.066);
-    let hills = Mesh::new(&GROUND.positions, &GROUND.attributes)
-        .with_topology(TriangleStrip::new(RestartIndices::new(&INDICES)))
-        .placed(Vec3::new(WIDE / 32_767.0, HIGH / 32_767.0, WIDE / 32_767.0), Vec3::ZERO);
-    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less).dither(Dither4).count(stats);
-    let shader = Fogged::new(Gouraud::new(Tinted(light)), fog);
-    pass.draw(frame, &Mat4::identity(), &hills, &shader);
+    )
 }
+
+/// The light, and what is light everywhere.
+pub(crate) const SUN: Vec3 = Vec3::new(0.8, -0.55, 0.3);
+pub(crate) const SUN_COLOR: Rgb = Rgb::new(235, 220, 190);
+pub(crate) const AMBIENT: Rgb = Rgb::new(62, 70, 90);
+
+pub(crate) fn light() -> Lambert<1> {
+    Lambert::new(&[Light::directional(SUN, SUN_COLOR)]).ambient(AMBIENT)
+}
+
+/// How soon fog hides what is behind it, by unit of distance.
+pub(crate) const DENSITY: f32 = 0.066;
+
+pub(crate) fn fog() -> Fog {
+    Fog::exponential_squared(HAZE, DENSITY)
+}
+
+/// A strip a row.
+type Strips = TriangleStrip<RestartIndices<'static, u16>>;
+
+pub(crate) const fn strips() -> Strips {
+    TriangleStrip::new(RestartIndices::new(&INDICES))
+}
+
+/// The hills, each vertex with a normal and a colour.
+type Hills = Mesh<'static, (Normal, Rgb), Strips>;
+
+pub(crate) fn hills() -> Hills {
+    Mesh::new(&GROUND.positions, &GROUND.attributes)
+        .with_topology(strips())
+        .placed(SCALE, Vec3::ZERO)
+}
+
+/// What a step of the hills' positions is.
+pub(crate) const SCALE: Vec3 = Vec3::new(WIDE / 32_767.0, HIGH / 32_767.0, WIDE / 32_767.0);
 
 /// A gradient over the upper half of the picture.
 fn sky(frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>, stats: &mut Stats) {
@@ -56,12 +89,12 @@ const HIGH: f32 = 2.6;
 /// Vertices along a side.
 const SIDE: usize = 73;
 
-struct Ground {
-    positions: [[i16; 3]; SIDE * SIDE],
-    attributes: [(Normal, Rgb); SIDE * SIDE],
+pub(crate) struct Ground {
+    pub(crate) positions: [[i16; 3]; SIDE * SIDE],
+    pub(crate) attributes: [(Normal, Rgb); SIDE * SIDE],
 }
 
-static GROUND: Ground = {
+pub(crate) static GROUND: Ground = {
     let (mut positions, mut attributes) =
         ([[0; 3]; SIDE * SIDE], [([0; 3], Rgb::BLACK); SIDE * SIDE]);
     let mut i = 0;

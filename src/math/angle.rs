@@ -129,6 +129,10 @@ impl Angle {
     ///
     /// Eleven 32 x 32 bit products and two conversions to float; no tables, no float arithmetic
     /// but scaling by a power of two.
+    ///
+    /// # Measured
+    /// <!-- tradeoff: teapot/trigonometry=exact -->
+    /// `exact` in the scene `teapot`: 1.71 M (M4F), 3.02 M (M0+), 1.87 M (RV32) instructions a frame; PSNR 40.7 dB.
     #[must_use]
     pub const fn sin_cos(self) -> (f32, f32) {
         trigonometry::sin_cos(self.steps)
@@ -155,6 +159,10 @@ impl Angle {
     /// # Rounding
     ///
     /// At most 1.1e-3 from the true value. Sine and cosine of one angle do not quite square to 1.
+    ///
+    /// # Measured
+    /// <!-- tradeoff: teapot/trigonometry=fast -->
+    /// `fast` in the scene `teapot`: 1.71 M (M4F), 3.01 M (M0+), 1.86 M (RV32) instructions a frame; PSNR 40.1 dB.
     #[must_use]
     pub fn sin_cos_fast(self) -> (f32, f32) {
         approximate::sin_cos(self.radians())

@@ -33,6 +33,10 @@ impl Camera {
     /// A perspective camera at the origin: vertical field of view and distance of the near plane.
     ///
     /// Nothing is too far to be seen. The depth resolution at distance d is d^2 / (65531 near).
+    ///
+    /// # Measured
+    /// <!-- tradeoff: range/depth+range=infinite+1e3 -->
+    /// `infinite + 1e3` in the scene `range`: 2.64 M (M4F), 4.18 M (M0+), 2.77 M (RV32) instructions a frame; PSNR 19.4 dB.
     #[inline]
     pub const fn perspective(field_of_view: Angle, near: f32) -> Self {
         let half_height = field_of_view.half().tan();
@@ -96,6 +100,10 @@ impl Camera {
     /// # Cost
     /// A fourth row of the matrix: 3 multiplications more a vertex, and depth that runs from near
     /// to far instead of to infinity.
+    ///
+    /// # Measured
+    /// <!-- tradeoff: range/depth+range=far-plane+1e3 -->
+    /// `far-plane + 1e3` in the scene `range`: 2.64 M (M4F), 4.21 M (M0+), 2.79 M (RV32) instructions a frame; PSNR 15.4 dB.
     #[inline]
     #[must_use]
     pub const fn far(mut self, distance: f32) -> Self {

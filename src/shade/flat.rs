@@ -9,6 +9,10 @@ use crate::scene::Light;
 ///
 /// # Cost
 /// Only one of a triangle's corners is lit; without depth, pixels are filled by whole words.
+///
+/// # Measured
+/// <!-- tradeoff: teapot/normals=face -->
+/// `face` in the scene `teapot`: 1.22 M (M4F), 1.95 M (M0+), 1.24 M (RV32) instructions a frame; PSNR 23.2 dB.
 #[derive(Clone, Copy, Debug)]
 pub struct Flat<C>(C);
 

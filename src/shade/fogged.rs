@@ -18,6 +18,10 @@ pub trait FogPlace: Copy {
 
 /// At vertices: what is seen is interpolated. The cheaper, for triangles that are small beside the
 /// way in which the fog grows dense.
+///
+/// # Measured
+/// <!-- tradeoff: floor/fog=vertices -->
+/// `vertices` in the scene `floor`: 41.2 (M4F), 65.9 (M0+), 38.3 (RV32) instructions a pixel; PSNR 24.5 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtVertices;
 
@@ -29,6 +33,10 @@ pub struct AtVertices;
 ///
 /// # Rounding
 /// Distances are resolved to 1/4096 of the fog's reach.
+///
+/// # Measured
+/// <!-- tradeoff: floor/fog=fragments -->
+/// `fragments` in the scene `floor`: 64.1 (M4F), 93.8 (M0+), 60.4 (RV32) instructions a pixel; PSNR 43.1 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtFragments;
 

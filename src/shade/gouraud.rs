@@ -9,6 +9,10 @@ use crate::scene::Light;
 ///
 /// Source: H. Gouraud, *Continuous Shading of Curved Surfaces*, IEEE Transactions on Computers
 /// C-20 (1971).
+///
+/// # Measured
+/// <!-- tradeoff: teapot/normals=vertex -->
+/// `vertex` in the scene `teapot`: 1.71 M (M4F), 3.02 M (M0+), 1.87 M (RV32) instructions a frame; PSNR 37.2 dB.
 #[derive(Clone, Copy, Debug)]
 pub struct Gouraud<C>(C);
 

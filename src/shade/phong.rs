@@ -28,6 +28,10 @@ use crate::scene::Normal;
 ///
 /// # Cost
 /// That of a vertex's light, for each fragment, and six words to interpolate.
+///
+/// # Measured
+/// <!-- tradeoff: teapot/normals=pixel -->
+/// `pixel` in the scene `teapot`: 11.07 M (M4F), 21.81 M (M0+), 15.17 M (RV32) instructions a frame; PSNR 40.8 dB.
 #[derive(Clone, Copy, Debug)]
 pub struct Phong<L, M = Adaptive> {
     lighting: L,

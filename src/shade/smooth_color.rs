@@ -11,6 +11,10 @@ use crate::raster::{Gradients, Plane, PointSquare, Slopes, Span};
 /// across, they stray by at most a quarter of an 8-bit step and, starting half a step inside of
 /// their range, never leave it. Larger triangles have planes of 8.24 too, on which the shared one
 /// is settled for each piece of a row.
+///
+/// # Measured
+/// <!-- tradeoff: plane-10/colour=linear -->
+/// `linear` in the scene `plane-10`: 19.3 (M4F), 29.9 (M0+), 19.7 (RV32) instructions a pixel; PSNR 14.6 dB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SmoothColor(Color);
 

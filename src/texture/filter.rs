@@ -24,6 +24,10 @@ pub trait Filter: Copy {
 ///
 /// # Rounding
 /// Exact: texel floor(u x width) of row floor(v x height).
+///
+/// # Measured
+/// <!-- tradeoff: plane-4/perspective+filter=adaptive+nearest -->
+/// `adaptive + nearest` in the scene `plane-4`: 51.0 (M4F), 97.4 (M0+), 48.0 (RV32) instructions a pixel; 0.084 texels off, 1.11 at most; PSNR 21.2 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Nearest;
 
@@ -52,6 +56,10 @@ impl Filter for Nearest {
 /// The formats say to what fraction of a texel places are rounded
 /// ([`PLACES`](TexelFormat::PLACES)) and how texels mix ([`blend`](TexelFormat::blend)): RGB565 has
 /// weights of five bits and gives colours of its own, all others are as [`FineBilinear`].
+///
+/// # Measured
+/// <!-- tradeoff: plane-4/perspective+filter=adaptive+bilinear -->
+/// `adaptive + bilinear` in the scene `plane-4`: 112 (M4F), 180 (M0+), 103 (RV32) instructions a pixel; 0.084 texels off, 1.11 at most; PSNR 27.9 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bilinear;
 
@@ -59,6 +67,10 @@ pub struct Bilinear;
 ///
 /// # Rounding
 /// Places are rounded to 2^-8 of a texel; the formats say how they [mix](TexelFormat::mix).
+///
+/// # Measured
+/// <!-- tradeoff: plane-4/perspective+filter=adaptive+fine-bilinear -->
+/// `adaptive + fine-bilinear` in the scene `plane-4`: 157 (M4F), 258 (M0+), 153 (RV32) instructions a pixel; 0.084 texels off, 1.11 at most; PSNR 27.7 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FineBilinear;
 

@@ -21,11 +21,12 @@ pub const RGBA8888_STEPS: [f64; 3] = [1.0; 3];
 pub struct Difference {
     /// The mean of the absolute differences of all channels.
     pub mean: f64,
-    /// The largest of them.
+    /// The largest of them; infinite where one is no number.
     pub max: f64,
     /// The peak signal to noise ratio over all channels, in decibels; infinite for equal pictures.
     pub psnr: f64,
-    /// The share of pixels with a channel that is more than a step of its format away, 0 to 1.
+    /// The share of pixels with a channel that is more than a step of its format away, or no
+    /// number, 0 to 1.
     pub beyond_a_step: f64,
 }
 
@@ -41,8 +42,10 @@ impl Difference {
             let errors = [0, 1, 2].map(|i| (drawn[i] - exact[i]).abs());
             sum += errors.iter().sum::<f64>();
             squares += errors.iter().map(|error| error * error).sum::<f64>();
-            max = errors.into_iter().fold(max, f64::max);
-            let is_beyond = errors.iter().zip(steps).any(|(error, step)| *error > step + ROUNDING);
+            let size = |error: f64| if error.is_nan() { f64::INFINITY } else { error };
+            max = errors.map(size).into_iter().fold(max, f64::max);
+            let is_beyond = |(error, step): (&f64, f64)| error.is_nan() || *error > step + ROUNDING;
+            let is_beyond = errors.iter().zip(steps).any(is_beyond);
             beyond += u32::from(is_beyond);
         }
         let pixels = drawn.len().min(exact.len()).max(1) as f64;

@@ -16,7 +16,7 @@ pub enum Space {
         far: bool,
     },
     /// x and y in pixels, y down; z is the depth code, 65535 being nearest; w divides what is
-    /// interpolated in perspective.
+    /// interpolated in perspective, and is not 0 there.
     Window,
 }
 
@@ -92,8 +92,8 @@ pub struct Fragment<'a> {
     pub primitive: u32,
     /// Whether the front is seen; lines and points have no back.
     pub front: bool,
-    /// Pixels of the draw's lines that come before this one, copies not counted: what a pattern of
-    /// a strip goes by.
+    /// Pixels of the draw's lines that come before this one, copies not counted, modulo 2^32: what
+    /// a pattern of a strip goes by.
     pub step: u32,
 }
 
@@ -107,7 +107,7 @@ pub struct Draw<'a> {
     /// The vertices.
     pub vertices: &'a [Vertex],
     /// Numbers of vertices: 3 a triangle, 2 a line, 1 a point. A primitive whose corner is no
-    /// vertex is left out, and counts.
+    /// vertex, or one whose position is not finite, is left out, and counts.
     pub corners: &'a [u32],
     /// How varyings change between corners.
     pub interpolation: Interpolation,

@@ -139,9 +139,12 @@ impl Reference {
             Kind::Lines { .. } => 2,
             Kind::Points { .. } => 1,
         };
-        let mut steps = 0;
+        let mut steps = 0_u32;
         for (corners, number) in draw.corners.chunks_exact(each).zip(0..) {
-            let vertex = |corner: &u32| draw.vertices.get(*corner as usize).cloned();
+            let vertex = |corner: &u32| {
+                let vertex = draw.vertices.get(*corner as usize)?;
+                vertex.position.iter().all(|number| number.is_finite()).then(|| vertex.clone())
+            };
             if let Some(vertices) = corners.iter().map(vertex).collect::<Option<Vec<_>>>() {
                 let primitive = Primitive { draw, vertices: &vertices, number, front: true };
                 let corners = draw.space.corners(&vertices, self.snap);
@@ -149,7 +152,8 @@ impl Reference {
                     Kind::Triangles => self.triangle(primitive, &corners),
                     Kind::Lines { width, progress } => {
                         if let [a, b] = corners.as_slice() {
-                            steps += self.line(primitive, [a, b], width, progress, steps);
+                            let more = self.line(primitive, [a, b], width, progress, steps);
+                            steps = steps.wrapping_add(more);
                         }
                     }
                     Kind::Points { side } => {
@@ -220,7 +224,7 @@ impl Reference {
         Rect { left, top, right, bottom }
     }
 
-    /// Draws a line; how many pixels it has along its longer side.
+    /// Draws a line; how many pixels it has along its longer side, modulo 2^32.
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -264,11 +268,11 @@ impl Reference {
                 let weights = [1.0 - t, t];
                 let code = code(&primitive.draw.state, self.precision, &ends, &weights, None);
                 let varyings = primitive.varyings(&ends, &weights, [&[0.0; 2]; 2]);
-                let step = before + ((along - first) * direction) as u32;
+                let step = before.wrapping_add(((along - first) * direction) as u32);
                 self.fragment(primitive, pixel, code, &varyings, step);
             }
         }
-        ((last - first) * direction) as u32 + 1
+        ((last - first) * direction + 1) as u32
     }
 
     fn point(&mut self, primitive: Primitive<'_>, corner: &Corner, side: f64) {

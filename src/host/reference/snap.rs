@@ -6,8 +6,8 @@
 ///
 /// # Range
 /// The crate also cuts triangles that reach beyond its guard box, 4096 pixels from the viewport's
-/// middle, and rounds the corners of the cut; this is not done here. Nothing may be farther than
-/// 2^34 pixels.
+/// middle, and rounds the corners of the cut; this is not done here. What is farther than 2^34
+/// pixels is taken to be as far as that.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Snap {
     /// So many fraction bits of a pixel, at most 24: the crate's grid has 4.
@@ -41,8 +41,9 @@ impl Snap {
         let steps = pixels * f64::from(1_u32 << bits);
         let below = steps.floor();
         let nearest = if steps - below >= 0.5 { below + 1.0 } else { below };
-        let step = 1_i128 << (PLACES - bits);
-        nearest.clamp(-FARTHEST, FARTHEST) as i128 * step
+        let step = 1_u32 << (PLACES - bits);
+        let farthest = FARTHEST / f64::from(step);
+        nearest.clamp(-farthest, farthest) as i128 * i128::from(step)
     }
 }
 

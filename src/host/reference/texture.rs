@@ -6,7 +6,7 @@ use crate::texture::AnyWrap;
 /// Where texels lie, and what is seen beyond them.
 ///
 /// Coordinates count repeats: u and v of 0 to 1 run over all texels, to the right and down. Sides
-/// may have any length; `Clamp` then does what the crate's `ClampAny` does.
+/// may have any length; `Clamp` then does what the crate's `ClampAny` does. One of 0 counts as 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TexelGrid {
     /// Texels in a row.
@@ -20,7 +20,7 @@ pub struct TexelGrid {
 /// The number of a texel, which may lie outside, as one of `0..length`.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited to the side")]
 fn wrapped(wrap: AnyWrap, number: f64, length: usize) -> usize {
-    let side = length as f64;
+    let side = length.max(1) as f64;
     let inside = match wrap {
         AnyWrap::Repeat => number.rem_euclid(side),
         AnyWrap::Mirror => {

@@ -15,6 +15,10 @@ use crate::shade::{Fragments, State};
 ///
 /// Source: J. Bresenham, *Algorithm for computer control of a digital plotter*, IBM Systems
 /// Journal 4 (1965).
+///
+/// # Measured
+/// <!-- tradeoff: heads-up/line=midpoint -->
+/// `midpoint` in the scene `heads-up`: 15.8 (M4F), 24.1 (M0+), 17.3 (RV32) instructions a pixel; PSNR 20.6 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Midpoint;
 

@@ -19,6 +19,10 @@ use crate::shade::{Event, Fragments, State};
 ///
 /// # Cost
 /// Two triangles a line.
+///
+/// # Measured
+/// <!-- tradeoff: heads-up/line=rectangle -->
+/// `rectangle` in the scene `heads-up`: 79.9 (M4F), 144 (M0+), 82.2 (RV32) instructions a pixel; PSNR 23.0 dB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rectangle(pub u8);
 

@@ -14,6 +14,10 @@ use crate::shade::{Fragments, State};
 /// # Cost
 /// On Cortex-M4, with depth and one colour a line, 11 instructions a pixel of a line that is higher
 /// than wide and 14 (16 where it rises) of one that is wider than high, after 680 a line.
+///
+/// # Measured
+/// <!-- tradeoff: heads-up/line=thin -->
+/// `thin` in the scene `heads-up`: 17.2 (M4F), 31.4 (M0+), 20.3 (RV32) instructions a pixel; PSNR 22.7 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Thin;
 

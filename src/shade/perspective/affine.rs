@@ -7,6 +7,10 @@ use crate::shade::{Corner, Interpolated, Stepped, Varying};
 
 /// No perspective: linear on the screen. The cheapest, and wrong wherever w differs much over a
 /// triangle.
+///
+/// # Measured
+/// <!-- tradeoff: plane-10/perspective=affine -->
+/// `affine` in the scene `plane-10`: 27.3 (M4F), 40.2 (M0+), 20.5 (RV32) instructions a pixel; 294 texels off, 465 at most; PSNR 6.9 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Affine;
 

@@ -35,4 +35,8 @@ pub trait PerspectiveVarying:
 /// type Precise = Perspective<Scalars<4>, Exact>;
 /// # let _ = (core::any::type_name::<(Textured, Lit, Precise)>(),);
 /// ```
+///
+/// # Measured
+/// <!-- tradeoff: plane-10/colour=adaptive -->
+/// `adaptive` in the scene `plane-10`: 47.0 (M4F), 95.2 (M0+), 54.8 (RV32) instructions a pixel; PSNR 41.1 dB.
 pub type Perspective<V, M = super::Adaptive> = <M as PerspectiveMode>::Of<V>;

@@ -8,6 +8,10 @@ use crate::raster::{Gradients, Plane, Span};
 use crate::shade::{Corner, Interpolated, Stepped, Varying, Words};
 
 /// Knots at every `N`th column of the picture (a power of two from 4 to 32), linear between.
+///
+/// # Measured
+/// <!-- tradeoff: plane-10/perspective=every-16 -->
+/// `every-16` in the scene `plane-10`: 39.9 (M4F), 74.9 (M0+), 36.1 (RV32) instructions a pixel; 1.33 texels off, 41.1 at most; PSNR 15.3 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Every<const N: i32>;
 
@@ -17,6 +21,10 @@ pub struct Every<const N: i32>;
 /// `N` is the largest power of two up to 128 (512 for texture coordinates alone) with `N^2 |dq| <= q` in the whole row, where q is 1 / w
 /// and dq what it changes by from pixel to pixel: floors and walls that run across the view need few
 /// knots. Where that is less than 16, it is chosen anew for each 16 columns of the picture.
+///
+/// # Measured
+/// <!-- tradeoff: plane-10/perspective=adaptive -->
+/// `adaptive` in the scene `plane-10`: 56.6 (M4F), 109 (M0+), 53.9 (RV32) instructions a pixel; 0.16 texels off, 4.13 at most; PSNR 22.1 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Adaptive;
 

@@ -117,6 +117,10 @@ macro_rules! weighted {
 }
 
 /// By the source's alpha: `source a + stored (1 - a)`.
+///
+/// # Measured
+/// <!-- tradeoff: heads-up/blend=alpha -->
+/// `alpha` in the scene `heads-up`: 5.58 (M4F), 10.6 (M0+), 7.70 (RV32) instructions a pixel; PSNR 39.9 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Alpha;
 

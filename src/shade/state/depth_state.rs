@@ -16,6 +16,10 @@ macro_rules! hand_on {
 }
 
 /// A test that leaves depth as it is.
+///
+/// # Measured
+/// <!-- tradeoff: fill/depth=read-only -->
+/// `read-only` in the scene `fill`: 15.8 (M4F), 28.0 (M0+), 18.1 (RV32) instructions a pixel; PSNR 40.8 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ReadOnly<D> {
     test: D,
@@ -51,6 +55,10 @@ impl<D: DepthTest<Access = ReadWrite>> DepthTest for ReadOnly<D> {
 ///
 /// # Rounding
 /// Down to a code.
+///
+/// # Measured
+/// <!-- tradeoff: fill/depth=constant -->
+/// `constant` in the scene `fill`: 18.8 (M4F), 29.0 (M0+), 19.1 (RV32) instructions a pixel; PSNR 40.8 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ConstantDepth<D> {
     test: D,

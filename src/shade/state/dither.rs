@@ -38,6 +38,10 @@ pub struct Undithered;
 ///
 /// Source: B. E. Bayer, *An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures*,
 /// ICC 1973.
+///
+/// # Measured
+/// <!-- tradeoff: fill/dither=4x4 -->
+/// `4x4` in the scene `fill`: 25.1 (M4F), 34.6 (M0+), 21.0 (RV32) instructions a pixel; PSNR 38.9 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dither4;
 
@@ -45,6 +49,10 @@ pub struct Dither4;
 ///
 /// # Rounding
 /// As [`Dither4`].
+///
+/// # Measured
+/// <!-- tradeoff: fill/dither=8x8 -->
+/// `8x8` in the scene `fill`: 33.4 (M4F), 41.9 (M0+), 26.8 (RV32) instructions a pixel; PSNR 39.1 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dither8;
 

@@ -24,7 +24,7 @@ impl FromStr for Bytes {
             .and_then(|number| number.checked_mul(unit))
             .filter(|bytes| (1..1 << 32).contains(bytes))
             .map(Self)
-            .ok_or_else(|| "write it like 64K, 1M or 65536".into())
+            .ok_or_else(|| "write it like 64K, 1M or 65536; 1 to 4095M are known".into())
     }
 }
 

@@ -92,7 +92,7 @@ impl FromStr for Target {
                 Some(clock.strip_suffix(unit)?.trim().parse::<f64>().ok()? * factor)
             })
             .filter(|hertz| (1e3..=1e10).contains(hertz))
-            .ok_or_else(|| format!("{form}: a clock ends in MHz, GHz or kHz"))?;
+            .ok_or_else(|| format!("{form}: a clock ends in MHz, GHz or kHz, 1 kHz to 10 GHz"))?;
         Ok(Self { core, hertz })
     }
 }
@@ -122,6 +122,9 @@ mod tests {
             ("m4f@-1MHz", "MHz"),
             ("m4f@NaNMHz", "MHz"),
             ("m4f@168", "MHz"),
+            ("m4f@0MHz", "1 kHz to 10 GHz"),
+            ("m4f@infMHz", "1 kHz to 10 GHz"),
+            ("@133MHz", "choose from m0+"),
         ] {
             let message = text.parse::<Target>().expect_err(text);
             assert!(message.contains(part), "{text}: {message}");

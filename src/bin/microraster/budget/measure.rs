@@ -8,7 +8,8 @@ use crate::firmware::build::House;
 use crate::firmware::sizes::{self, Weights};
 use crate::firmware::{emulate, lines, mesh_file};
 use microraster::Size;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// The firmware that draws the model.
 const EXAMPLE: &str = "budget";
@@ -19,7 +20,33 @@ pub(crate) struct Bench {
     house: House,
     board: &'static Board,
     elf: PathBuf,
+    folder: Folder,
     display: Size,
+}
+
+/// Where the emulator finds the mesh: a folder of one bench alone, removed in the end. Two that
+/// share one would measure each other's model.
+#[derive(Debug)]
+struct Folder(PathBuf);
+
+impl Folder {
+    /// Makes a new one in another.
+    fn new(parent: &Path) -> Result<Self, String> {
+        static MADE: AtomicU32 = AtomicU32::new(0);
+        let number = MADE.fetch_add(1, Ordering::Relaxed);
+        let path = parent.join(format!("budget-{}-{number}", std::process::id()));
+        std::fs::create_dir_all(&path)
+            .map_err(|why| format!("cannot make the folder {}: {why}", path.display()))?;
+        Ok(Self(path))
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // What cannot be removed is in nobody's way.
+        let _ = std::fs::remove_file(self.0.join(settings::FILE));
+        let _ = std::fs::remove_dir(&self.0);
+    }
 }
 
 /// Bytes of the code of one setting.
@@ -41,9 +68,9 @@ impl Bench {
         let house = House::find()?;
         let board = board::find(core.board)?;
         let elf = house.example(EXAMPLE, board)?;
-        let file = house.firmware()?.join(settings::FILE);
-        mesh_file::write(&file, words)?;
-        Ok(Self { house, board, elf, display })
+        let folder = Folder::new(&house.firmware()?)?;
+        mesh_file::write(&folder.0.join(settings::FILE), words)?;
+        Ok(Self { house, board, elf, folder, display })
     }
 
     /// What the settings cost, in their order.
@@ -55,8 +82,7 @@ impl Bench {
             return Ok(Vec::new());
         }
         let words: Vec<_> = settings.iter().map(|setting| setting.word(self.display)).collect();
-        let folder = self.house.firmware()?;
-        let printed = emulate::run(self.board, &self.elf, &folder, &words, None)?;
+        let printed = emulate::run(self.board, &self.elf, &self.folder.0, &words, None)?;
         costs(settings, &words, &printed)
     }
 
@@ -99,6 +125,19 @@ fn costs(settings: &[Setting], words: &[String], printed: &str) -> Result<Vec<Co
 mod tests {
     use super::super::plan::Shading;
     use super::*;
+
+    #[test]
+    fn each_bench_has_a_folder_of_its_own_that_is_gone_in_the_end() {
+        let parent = std::env::temp_dir();
+        let folders = [(); 2].map(|()| Folder::new(&parent).expect("a temporary folder"));
+        let paths = folders.each_ref().map(|folder| folder.0.clone());
+        assert_ne!(paths[0], paths[1], "two at a time");
+        for path in &paths {
+            mesh_file::write(&path.join(settings::FILE), &[1, 2]).expect("a mesh of its own");
+        }
+        drop(folders);
+        assert!(paths.iter().all(|path| !path.exists()), "{paths:?}");
+    }
 
     #[test]
     fn lines_are_found_by_their_settings() {

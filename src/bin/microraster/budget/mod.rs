@@ -17,7 +17,7 @@ use measure::{Bench, Code};
 use mesh::Prepared;
 use microraster::Size;
 use plan::{Cost, Offer, Setting, Shading};
-use report::Report;
+use report::{counted, Report};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -40,16 +40,16 @@ pub(crate) struct Arguments {
     /// The model: MODEL.obj, or MODEL.asc, a triangle soup
     model: PathBuf,
     /// Width and height of the display in pixels
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     display: PictureSize,
     /// RAM for bands, depth, caches, stack and statics
-    #[arg(long, value_name = "BYTES")]
+    #[arg(long, value_name = "BYTES", allow_hyphen_values = true)]
     ram: Bytes,
     /// Core and clock, like m0+@133MHz; cores are m0+, m3, m4f, m7, m33 and rv32
     #[arg(long, value_name = "CORE@CLOCK")]
     target: Target,
     /// Flash for code and model [default: as much as it takes]
-    #[arg(long, value_name = "BYTES")]
+    #[arg(long, value_name = "BYTES", allow_hyphen_values = true)]
     flash: Option<Bytes>,
 }
 
@@ -141,7 +141,7 @@ fn offers(
                 vertices => format!("a cache of {vertices} vertices"),
             }
         } else {
-            format!("bands of {} rows", other.rows)
+            format!("bands of {}", counted(other.rows.into(), "row"))
         };
         let ram = difference(setting.buffers(display), other.buffers(display));
         offers.push(Offer { what, ram, flash, slower: Some(100.0 * more), seen });

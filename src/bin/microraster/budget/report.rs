@@ -29,10 +29,10 @@ impl Report<'_> {
     fn ram_uses(&self) -> [(u64, String); 5] {
         let setting = self.chosen.setting;
         let band = setting.bands(self.display) / 2;
-        let rows = setting.rows;
+        let rows = counted(setting.rows.into(), "row");
         [
-            (band, format!("colour, {rows} rows")),
-            (band, format!("depth, {rows} rows")),
+            (band, format!("colour, {rows}")),
+            (band, format!("depth, {rows}")),
             (cache_bytes(setting.cache) as u64, "vertex cache".into()),
             (self.chosen.stack, "stack while drawing, measured".into()),
             (self.code.statics, "other statics".into()),
@@ -50,19 +50,41 @@ impl Report<'_> {
             (weights.runtime.into(), "vectors and start-up".into()),
             (positions, format!("positions of {} vertices", self.model.vertices)),
             (normals, "normals".into()),
-            (indices, format!("indices of {} triangles", self.model.triangles)),
+            (indices, format!("indices of {}", counted(self.model.triangles, "triangle"))),
         ]
+    }
+
+    /// Bytes of RAM and of flash that are missing.
+    fn missing(&self) -> [u64; 2] {
+        let flash = self.flash.map_or(0, |flash| sum(&self.flash_uses()).saturating_sub(flash));
+        [sum(&self.ram_uses()).saturating_sub(self.ram), flash]
     }
 
     /// Whether all of it fits.
     pub(crate) fn verdict(&self) -> Verdict {
-        let fits = sum(&self.ram_uses()) <= self.ram
-            && self.flash.is_none_or(|flash| sum(&self.flash_uses()) <= flash);
-        if fits {
+        if self.missing() == [0, 0] {
             Verdict::Fits
         } else {
             Verdict::DoesNotFit
         }
+    }
+
+    /// What to give up: where it does not fit, only what frees some of the memory that is missing.
+    fn give_up(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [ram, flash] = self.missing();
+        let fits = self.verdict() == Verdict::Fits;
+        let helps = |offer: &&Offer| ram > 0 && offer.ram > 0 || flash > 0 && offer.flash > 0;
+        let offers: Vec<_> = self.offers.iter().filter(|offer| fits || helps(offer)).collect();
+        // More than all of them free together: each is told as if it were the only one.
+        let freed: u64 = offers.iter().map(|offer| offer.ram.max(0).unsigned_abs()).sum();
+        let title = match (fits, offers.is_empty() || ram > freed) {
+            (true, _) => "For more room, give up first",
+            (false, false) => "To make it fit, give up first",
+            (false, true) if offers.is_empty() => "Nothing of it can be given up",
+            (false, true) => "To come nearer, give up first; all of it is not enough",
+        };
+        writeln!(f, "\n{title}")?;
+        offers.into_iter().try_for_each(|one| offer(f, one))
     }
 
     /// How it is drawn.
@@ -74,7 +96,7 @@ impl Report<'_> {
         };
         let bands = match self.display.height.div_ceil(setting.rows.max(1)) {
             1 => "the whole picture at once".into(),
-            bands => format!("{bands} bands of {} rows", setting.rows),
+            bands => format!("{bands} bands of {}", counted(setting.rows.into(), "row")),
         };
         let cache = match setting.cache {
             0 => "the cache of 32 vertices that a draw has on the stack".into(),
@@ -99,6 +121,12 @@ fn grouped(number: u64) -> String {
         text.push(digit);
     }
     text
+}
+
+/// A number of things.
+pub(super) fn counted(number: usize, thing: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{} {thing}{plural}", grouped(number as u64))
 }
 
 /// A memory: what there is, what of it is used for what.
@@ -156,13 +184,12 @@ impl fmt::Display for Report<'_> {
             Verdict::Fits => "fits",
             Verdict::DoesNotFit => "does not fit",
         };
-        let parts = if model.parts == 1 { "part" } else { "parts" };
         writeln!(
             f,
-            "{name}: {} triangles, {} vertices, {} {parts}",
-            grouped(model.triangles as u64),
+            "{name}: {}, {} vertices, {}",
+            counted(model.triangles, "triangle"),
             grouped(model.vertices as u64),
-            model.parts
+            counted(model.parts, "part")
         )?;
         writeln!(
             f,
@@ -185,12 +212,7 @@ impl fmt::Display for Report<'_> {
         writeln!(f, "  sending pixels to the display is not included")?;
         memory(f, "RAM", Some(self.ram), &self.ram_uses())?;
         memory(f, "Flash", self.flash, &self.flash_uses())?;
-        let title = match self.verdict() {
-            Verdict::Fits => "For more room, give up first",
-            Verdict::DoesNotFit => "To make it fit, give up first",
-        };
-        writeln!(f, "\n{title}")?;
-        self.offers.iter().try_for_each(|one| offer(f, one))
+        self.give_up(f)
     }
 }
 
@@ -248,6 +270,29 @@ mod tests {
         ] {
             assert!(text.contains(part), "no `{part}` in\n{text}");
         }
+    }
+
+    #[test]
+    fn only_what_frees_the_memory_that_is_missing_is_told() {
+        let model = Prepared { words: Vec::new(), triangles: 12, vertices: 24, parts: 1 };
+        let told = |ram: u64, flash: Option<u64>| report(&model, ram, flash).to_string();
+        // The only offer frees 28 800 bytes of RAM.
+        let text = told(40_000, None);
+        assert!(text.contains("\nTo make it fit, give up first\n  bands of 30 rows: "), "{text}");
+        let text = told(1_000, None);
+        let title = "\nTo come nearer, give up first; all of it is not enough\n  bands of 30 ";
+        assert!(text.contains(title), "{text}");
+        let text = told(64 << 10, Some(1_000));
+        assert!(text.ends_with("\nNothing of it can be given up\n"), "{text}");
+    }
+
+    #[test]
+    fn one_triangle_is_no_plural() {
+        let model = Prepared { words: Vec::new(), triangles: 1, vertices: 3, parts: 1 };
+        let text = report(&model, 64 << 10, None).to_string();
+        assert!(text.contains("cube.obj: 1 triangle, 3 vertices, 1 part\n"), "{text}");
+        assert!(text.contains("  indices of 1 triangle\n"), "{text}");
+        assert_eq!(counted(3674, "triangle"), "3 674 triangles", "grouped as elsewhere");
     }
 
     #[test]

@@ -176,6 +176,19 @@ impl House {
     }
 }
 
+/// What the compiler that serves a target says of itself, such as `rustc 1.90.0`.
+///
+/// # Errors
+/// No compiler for the target.
+pub(crate) fn compiler(target: &str) -> Result<String, String> {
+    let program = match Toolchain::find(target)? {
+        Toolchain::Rustup => "rustc",
+        Toolchain::Debian { .. } => DEBIAN_RUSTC,
+    };
+    let version = text_of(program, &["--version"]).unwrap_or_default();
+    Ok(version.split_whitespace().take(2).collect::<Vec<_>>().join(" "))
+}
+
 /// Which compiler serves a target.
 #[derive(Debug)]
 enum Toolchain {

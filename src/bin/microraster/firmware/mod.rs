@@ -73,6 +73,9 @@ pub(crate) struct Arguments {
     /// With --sizes, weigh each feature alone, as flash more than flat triangles.
     #[arg(long, requires = "sizes")]
     features: bool,
+    /// Run every case of another example that draws cases, and print its lines as they are.
+    #[arg(long, value_name = "EXAMPLE", conflicts_with_all = ["scenes", "profile", "figures", "sizes", "ladder", "no_panic", "library"])]
+    example: Option<String>,
     /// Weigh and run a ladder of scenes instead, each with one feature more than the one before;
     /// with --figures, put a table for each board into a Markdown file.
     #[arg(long, conflicts_with_all = ["scenes", "sizes", "library", "profile", "no_panic"])]
@@ -117,6 +120,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if arguments.sizes {
         return sizes::print(&house, &boards, arguments.verbose);
+    }
+
+    if let Some(example) = &arguments.example {
+        return boards.iter().try_for_each(|board| lines_of(&house, board, example));
     }
 
     let names =
@@ -184,6 +191,19 @@ fn mesh(house: &House, scenes: &mut Vec<Scene<Counter>>) -> Result<Option<Vec<u3
         return Err("scenes were skipped, and MICRORASTER_REQUIRE_SHARED forbids that".into());
     }
     Ok(None)
+}
+
+/// Prints the lines of an example's cases on a board, each with the board's name before it.
+fn lines_of(house: &House, board: &Board, example: &str) -> Result<(), String> {
+    mesh(house, &mut Vec::new())?;
+    let file = house.example(example, board)?;
+    println!("board={} compiler={}", board.name, build::compiler(board.target)?.replace(' ', "-"));
+    let words = ["all".to_string()];
+    let printed = emulate::run(board, &file, &house.firmware()?, &words, None)?;
+    for line in printed.lines().filter(|line| !line.is_empty()) {
+        println!("board={} {line}", board.name);
+    }
+    Ok(())
 }
 
 /// Runs the scenes on a board and prints its lines.

@@ -71,7 +71,11 @@ impl<H: Shader> Draw<'_, H> {
             let provoking = corners[0];
             if face.clipped {
                 face.covered = true;
-                corners = assembly.fan.mixed::<H::Varying>(&corners, face.triangle.flipped);
+                let [a, b, c] = corners;
+                corners = assembly.fan.weights().map(|(u, v)| H::Varying::mix([&a, &b, &c], u, v));
+                if face.triangle.flipped {
+                    corners.swap(1, 2);
+                }
             } else {
                 state.counter().event(Event::Drawn);
             }

@@ -53,10 +53,13 @@ pub mod host;
 pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 #[cfg(feature = "embedded-graphics")]
 pub use eg::DrawFormat;
-pub use frame::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, StencilBuffer, MAX_SIDE};
+pub use frame::{
+    Band, Bands, DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, StencilBuffer, MAX_SIDE,
+};
 pub use pipeline::{
-    Attenuated, Clip, Cull, LineStyle, Midpoint, Pass, PointSize, Rectangle, ScreenPass,
-    ShadedVertex, SizeOf, Smooth, Stippled, Supersampling, Thin, VertexCache, Wide, Winding,
+    Attenuated, Clip, Cull, DisplayList, LineStyle, ListError, ListTriangle, ListVertex, Midpoint,
+    Pass, PointSize, Recording, Rectangle, ScreenPass, ShadedVertex, SizeOf, Smooth, Stippled,
+    Supersampling, Thin, VertexCache, Wide, Winding,
 };
 pub use scene::{
     normal, AnyLightKind, AnyTopology, Attenuation, Camera, Consecutive, DirectionalLight,

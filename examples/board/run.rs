@@ -5,13 +5,14 @@
 
 use crate::board::buffer::Buffer;
 use crate::board::{meter, say, semihost, stack};
-use crate::scenes::{hash, Model, Probe, Scene, Stage, CACHED, ROOM};
+use crate::scenes::{hash, ListRoom, Model, Probe, Scene, Stage, CACHED, ROOM};
 use microraster::{Color, VertexCache};
 
 static COLOR: Buffer<[u32; ROOM]> = Buffer::new([0; ROOM]);
 static DEPTH: Buffer<[u16; ROOM]> = Buffer::new([0; ROOM]);
 static CACHE: Buffer<VertexCache<Color, CACHED>> =
     Buffer::new(VertexCache::with_blank(Color::new(0, 0, 0)));
+static LIST: Buffer<ListRoom> = Buffer::new(ListRoom::NEW);
 /// Room for the mesh file, in words so that it is aligned.
 static MESH: Buffer<[u32; 32 * 1024]> = Buffer::new([0; 32 * 1024]);
 /// Room for the command line.
@@ -63,8 +64,13 @@ fn draw_all(scenes: impl Iterator<Item = Scene<Meter>>) -> Option<()> {
         .split(' ')
         .find_map(|word| word.strip_prefix("frames=")?.parse().ok())
         .unwrap_or(u32::MAX);
-    let mut stage =
-        Stage { color: COLOR.take()?, depth: DEPTH.take()?, cache: CACHE.take()?, bunny: bunny() };
+    let mut stage = Stage {
+        color: COLOR.take()?,
+        depth: DEPTH.take()?,
+        cache: CACHE.take()?,
+        bunny: bunny(),
+        list: LIST.take()?,
+    };
     let empty = meter::instructions(|| ()).0;
     let mut probe = Meter { empty, instructions: 0, stack: 0 };
     for scene in scenes {

@@ -3,6 +3,7 @@
 //! The firmware, the host program and the tests include this folder, so that all of them draw
 //! from the same source.
 
+pub(crate) mod bands;
 pub(crate) mod fragments;
 pub(crate) mod gallery;
 pub(crate) mod golden;
@@ -16,6 +17,7 @@ pub(crate) mod textured;
 pub(crate) mod toon;
 pub(crate) mod vertices;
 
+pub(crate) use bands::ListRoom;
 use microraster::{Color, VertexCache};
 pub(crate) use model::Model;
 
@@ -36,6 +38,8 @@ pub(crate) struct Stage<'a> {
     pub(crate) cache: &'a mut VertexCache<Color, CACHED>,
     /// The bunny, whose licence keeps it out of this repository; `None` where it is missing.
     pub(crate) bunny: Option<Model<'a>>,
+    /// Where meshes are recorded.
+    pub(crate) list: &'a mut ListRoom,
 }
 
 /// Wraps the part of a scene that is measured.
@@ -69,6 +73,8 @@ pub(crate) enum Group {
     Golden,
     /// Pictures to look at.
     Gallery,
+    /// A measured scene in bands.
+    Bands,
 }
 
 /// One scene.
@@ -99,5 +105,5 @@ pub(crate) fn standard<P: Probe>() -> impl Iterator<Item = Scene<P>> {
 
 /// All scenes.
 pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
-    standard().chain(golden::scenes()).chain(gallery::scenes())
+    standard().chain(golden::scenes()).chain(gallery::scenes()).chain(bands::scenes())
 }

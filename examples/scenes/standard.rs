@@ -215,7 +215,7 @@ fn s1_raster<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Fac
 }
 
 /// An indexed mesh with normals.
-type Lit<'a> = Mesh<'a, Normal, IndexedList<'a, u16>>;
+pub(super) type Lit<'a> = Mesh<'a, Normal, IndexedList<'a, u16>>;
 
 /// A lit mesh, centred at z = -3.0178 and turned.
 #[derive(Clone, Copy)]
@@ -273,7 +273,7 @@ pub(crate) fn placement(positions: &[[i16; 3]]) -> (Vec3, Vec3) {
     (Vec3::new(scale, scale, scale), Vec3::new(middle(0), middle(1), middle(2)) * -scale)
 }
 
-fn bunny<'a>(stage: &Stage<'a>) -> Lit<'a> {
+pub(super) fn bunny<'a>(stage: &Stage<'a>) -> Lit<'a> {
     stage.bunny.map_or(Mesh::new(&[], &[]).indexed(&[]), |model| {
         fitted(model.positions, model.normals, model.indices)
     })

@@ -3,8 +3,9 @@
 //! A [`Frame`] borrows its buffers, checks their lengths once and cannot fail from then on. It may
 //! show a whole picture, a part of a larger buffer (stride), or a band of rows of a taller picture
 //! (`first_row`); coordinates are the picture's in every case, so that bands and scissors change
-//! no pixel.
+//! no pixel. [`Bands`] draw a picture through one such band after the other.
 
+mod bands;
 mod depth;
 mod error;
 mod rect;
@@ -12,6 +13,7 @@ mod size;
 mod stencil;
 mod view;
 
+pub use bands::{Band, Bands};
 pub use depth::{DepthAccess, DepthBuffer, NoDepth, ReadWrite, Supplies, Untouched};
 pub use error::FrameError;
 pub use rect::Rect;

@@ -172,6 +172,18 @@ impl<F: Format, D> Frame<'_, F, D> {
         Ok(self)
     }
 
+    /// Makes the frame another band of its picture, of no more rows than it was made for.
+    pub(super) fn move_to(&mut self, first_row: u16, rows: u16) {
+        self.first_row = first_row;
+        self.size.height = rows;
+        self.scissor = self.held();
+    }
+
+    /// All pixels that a frame without gaps holds.
+    pub(super) fn all_rows(&mut self) -> Option<&mut [F::Raw]> {
+        self.rows(self.held())
+    }
+
     /// Limits drawing and clearing to `rect`, in picture coordinates; what lies outside of the
     /// frame is cut off. An empty rectangle lets nothing through.
     pub fn set_scissor(&mut self, rect: Rect) {

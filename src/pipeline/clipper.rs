@@ -3,6 +3,7 @@ use super::Clip;
 use crate::frame::MAX_SIDE;
 use crate::math::{reciprocal_of_some, rolled, Reciprocal};
 use crate::raster::{twice_area, ScreenVertex, Triangle, GUARD};
+use crate::shade::{Corner as VaryingCorner, Varying};
 
 /// A clipped triangle has at most its three corners and one more for each of seven planes.
 const MAX_CORNERS: usize = 3 + 7;
@@ -265,6 +266,21 @@ impl Fan {
     #[inline(never)]
     pub(super) fn weights(&self) -> [Weights; 3] {
         self.piece().map(|[_, _, _, _, u, v, ..]| (*u, *v))
+    }
+
+    /// What a triangle's corners make of the corners of that piece, in its own order: for recording.
+    /// A draw has it written out, which is 600 bytes shorter where corners are nothing but a colour.
+    #[inline(always)]
+    pub(super) fn mixed<V: Varying>(
+        &self,
+        [a, b, c]: &[VaryingCorner<V>; 3],
+        flipped: bool,
+    ) -> [VaryingCorner<V>; 3] {
+        let mut corners = self.weights().map(|(u, v)| V::mix([a, b, c], u, v));
+        if flipped {
+            corners.swap(1, 2);
+        }
+        corners
     }
 
     /// The corners of the latest piece.

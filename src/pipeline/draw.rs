@@ -99,15 +99,7 @@ impl<H: Shader> Draw<'_, H> {
         cache: &mut CacheView<'_, Corner<H::Varying>>,
     ) -> Option<[Corner<H::Varying>; 3]> {
         if self.vertices.by_face {
-            let attributes = self.vertices.attributes.get(face.number as usize)?;
-            let position = self.position(face.vertices[0]);
-            let input = VertexInput { attributes, position };
-            let corner = self.shader.vertex(self.prepared, input);
-            return Some(face.vertices.map(|index| {
-                let mut corner = corner;
-                H::Varying::place(&mut corner, || w(positions, index));
-                corner
-            }));
+            return self.face_corners(face, positions);
         }
         let mut corner =
             |index: u32| cache.corner(index).or_else(|| self.shade(index, positions, cache));
@@ -118,6 +110,24 @@ impl<H: Shader> Draw<'_, H> {
         } else {
             Some([provoking; 3])
         }
+    }
+
+    /// The same where attributes are the triangle's own.
+    #[inline(always)]
+    pub(super) fn face_corners<P: Positions>(
+        &self,
+        face: &Face,
+        positions: &P,
+    ) -> Option<[Corner<H::Varying>; 3]> {
+        let attributes = self.vertices.attributes.get(face.number as usize)?;
+        let position = self.position(face.vertices[0]);
+        let input = VertexInput { attributes, position };
+        let corner = self.shader.vertex(self.prepared, input);
+        Some(face.vertices.map(|index| {
+            let mut corner = corner;
+            H::Varying::place(&mut corner, || w(positions, index));
+            corner
+        }))
     }
 
     /// The attributes of one vertex of primitive `number`; `None` if the mesh lacks them.

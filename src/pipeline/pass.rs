@@ -48,7 +48,7 @@ pub struct Pass<'c, S = States> {
     cull: Cull,
     front: Winding,
     viewport: Option<Rect>,
-    state: S,
+    pub(super) state: S,
 }
 
 impl<'c> Pass<'c> {
@@ -154,7 +154,7 @@ impl<S> Pass<'_, S> {
 }
 
 /// The largest coordinate of a viewport: far beyond any picture, and nothing overflows.
-const FARTHEST: u32 = 1 << 16;
+pub(super) const FARTHEST: u32 = 1 << 16;
 
 const _: () = assert!(
     (FARTHEST as i64 + MAX_SIDE as i64 + 2 * GUARD as i64) * (SUBPIXELS as i64) < i32::MAX as i64,
@@ -200,6 +200,39 @@ impl<S: State> Pass<'_, S> {
         self.perform(frame, model, mesh.vertices(), shader, work);
     }
 
+    /// What a draw of a mesh needs beside the mesh, within `scissor`; `transform` is set where the
+    /// mesh has the positions. `None` if nothing can be drawn.
+    #[inline(always)]
+    pub(super) fn set_up<H: Shader>(
+        &self,
+        picture: Size,
+        scissor: Rect,
+        model: &Mat4,
+        vertices: &Vertices<'_, H::Vertex>,
+        shader: &H,
+        transform: &mut Transform,
+    ) -> Option<SetUp<H>> {
+        let viewport = self.viewport.unwrap_or(Rect::from_size(picture));
+        let near = self.camera.constant_near();
+        let (scale, offset) = vertices.place();
+        let place = (scale, offset.extend(1.0));
+        let placed = (!H::OWN_POSITIONS).then_some(transform);
+        let mapping = prepare(self.camera, near, model, &place, viewport, placed)?;
+        let area = scissor.intersection(viewport);
+        let culled = CulledWindings::new(self.cull, self.front);
+        // What of this the shader does not look at is not made.
+        let size = mapping.size();
+        let context = DrawContext {
+            model: *model,
+            view: self.camera.view(),
+            projection: self.camera.projection(aspect(size)),
+            viewport: size,
+            scale,
+            offset,
+        };
+        Some(SetUp { mapping, area, culled, prepared: shader.prepare(&context) })
+    }
+
     /// Makes a mesh ready to be drawn, and draws it.
     #[inline(always)]
     pub(super) fn perform<H, F, D, W>(
@@ -215,30 +248,14 @@ impl<S: State> Pass<'_, S> {
         D: Supplies<Access<S>>,
         W: Work<H>,
     {
-        let viewport = self.viewport.unwrap_or(Rect::from_size(frame.picture()));
-        let near = self.camera.constant_near();
-        let (scale, offset) = vertices.place();
-        let place = (scale, offset.extend(1.0));
+        let (picture, scissor) = (frame.picture(), frame.scissor());
         let mut transform = Transform::NONE;
-        let placed = (!H::OWN_POSITIONS).then_some(&mut transform);
-        let mapping = prepare(self.camera, near, model, &place, viewport, placed);
-        let Some(mapping) = mapping else {
+        let ready = self.set_up(picture, scissor, model, vertices, shader, &mut transform);
+        let Some(SetUp { mapping, area, culled, prepared }) = ready else {
             work.skip(self.state.counter());
             return;
         };
-        let area = frame.scissor().intersection(viewport);
-        let culled = CulledWindings::new(self.cull, self.front);
-        // What of this the shader does not look at is not made.
-        let size = mapping.size();
-        let context = DrawContext {
-            model: *model,
-            view: self.camera.view(),
-            projection: self.camera.projection(aspect(size)),
-            viewport: size,
-            scale,
-            offset,
-        };
-        let draw = &Draw { vertices, shader, prepared: &shader.prepare(&context) };
+        let draw = &Draw { vertices, shader, prepared: &prepared };
         let state = &mut self.state;
         if H::OWN_POSITIONS {
             work.run(&Ready { draw, positions: draw, mapping, area, culled }, frame, state);
@@ -247,6 +264,15 @@ impl<S: State> Pass<'_, S> {
             work.run(&Ready { draw, positions, mapping, area, culled }, frame, state);
         }
     }
+}
+
+/// What a draw of a mesh needs beside the mesh.
+pub(super) struct SetUp<H: Shader> {
+    pub(super) mapping: Mapping,
+    /// What is drawn of the picture.
+    pub(super) area: Rect,
+    pub(super) culled: CulledWindings,
+    pub(super) prepared: H::Prepared,
 }
 
 /// What is done with a mesh that is ready to be drawn.

@@ -39,6 +39,7 @@ pub use plane::Plane;
 pub use point::PointSquare;
 pub(crate) use screen_vertex::Point;
 pub use screen_vertex::{ScreenVertex, GUARD, SUBPIXELS};
+pub(crate) use spans::first_center;
 pub use spans::Spans;
 #[cfg(feature = "std")]
 pub use traversal::{AnyTraversal, AnyWalk, BlockWalk, Blocks, BoundingBox, Rows};

@@ -27,7 +27,7 @@ pub struct Spans {
 
 /// The first row whose centre is at or below `y`; likewise of columns.
 #[inline(always)]
-const fn first_center(bits: i32) -> i32 {
+pub(crate) const fn first_center(bits: i32) -> i32 {
     bits.wrapping_add(7) >> 4
 }
 

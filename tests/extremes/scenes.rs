@@ -4,7 +4,7 @@
 #[path = "../../examples/scenes/mod.rs"]
 mod all;
 
-use all::{scenes, Probe, Stage, ROOM};
+use all::{scenes, ListRoom, Probe, Stage, ROOM};
 use microraster::VertexCache;
 
 /// Counts what could not be drawn.
@@ -34,13 +34,14 @@ impl Probe for Count {
 fn every_ordinary_scene_skips_nothing() {
     let (mut color, mut depth) = (vec![0; ROOM], vec![0; ROOM]);
     let mut cache = VertexCache::new();
+    let mut list = ListRoom::NEW;
     let mut drawn = 0;
     // The bunny's own file is not part of the repository.
     for scene in scenes::<Count>().filter(|scene| !scene.bunny) {
         let mut count = Count::default();
         for frame in 0..scene.frames {
             let (color, depth) = (&mut color, &mut depth);
-            let mut stage = Stage { color, depth, cache: &mut cache, bunny: None };
+            let mut stage = Stage { color, depth, cache: &mut cache, bunny: None, list: &mut list };
             (scene.draw)(&mut stage, frame, &mut count);
         }
         assert_eq!(count.skipped, 0, "{}", scene.name);

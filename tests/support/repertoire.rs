@@ -17,10 +17,11 @@ use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::raster::ScreenVertex;
 use microraster::texture::Sample;
 use microraster::{
-    Adaptive, Affine, AtFragments, AtVertices, Attenuated, BlinnPhong, Camera, Color, Consecutive,
-    DepthBuffer, Every, Exact, Flat, Fog, Fogged, Format, Frame, Gouraud, Light, LineStrip, Matcap,
-    Mesh, Midpoint, Pass, PerspectiveMode, Phong, Points, Rect, Rectangle, Rgb, ScreenPass, Shader,
-    Size, Smooth, Stats, StencilBuffer, Stippled, Textured, Thin, Topology, TriangleStrip, Wide,
+    Adaptive, Affine, AtFragments, AtVertices, Attenuated, Bands, BlinnPhong, Camera, Color,
+    Consecutive, DepthBuffer, Every, Exact, Flat, Fog, Fogged, Format, Frame, Gouraud, Light,
+    LineStrip, Matcap, Mesh, Midpoint, Pass, PerspectiveMode, Phong, Points, Rect, Rectangle, Rgb,
+    ScreenPass, Shader, Size, Smooth, Stats, StencilBuffer, Stippled, Textured, Thin, Topology,
+    TriangleStrip, Wide,
 };
 
 /// One scene: all that is drawn follows from the choices.
@@ -303,4 +304,49 @@ where
         assert_eq!((*pixel, *code, *value), expected, "pixel {i} in {scissor:?}: {scene:?}");
     }
     stats
+}
+
+/// The whole picture against the one that [`Bands`] of so many rows hand out; says how many pixels
+/// were written.
+#[allow(dead_code, reason = "not every test has bands")]
+pub(crate) fn check_bands<F, T, C>(scene: &Scene<C>, rows: u16) -> u64
+where
+    F: Format<Raw: PartialEq + std::fmt::Debug>,
+    T: Tests,
+    C: Choices + std::fmt::Debug,
+    for<'a> Buffers<'a>: Supplies<T::Access>,
+{
+    let draw = |rows: u16| {
+        let length = usize::from(scene.size.width) * usize::from(rows);
+        let mut pixels = vec![F::pack(Rgb::WHITE.into()); length];
+        let (mut codes, mut values) = (vec![1; length], vec![1; length]);
+        let bands = Bands::<F>::new(&mut pixels, scene.size).and_then(|bands| {
+            let bands = bands.with_depth(&mut codes)?;
+            bands.with_stencil(&mut values)
+        });
+        let mut bands = bands.expect("at least one row");
+        assert_eq!(bands.rows(), rows.min(scene.size.height), "what was asked for");
+        let (mut sent, mut written) = (Vec::new(), 0);
+        let all = bands.draw::<()>(
+            |frame| {
+                frame.clear_color(Rgb::new(90, 60, 30));
+                frame.clear_depth(CODE);
+                frame.clear_stencil(VALUE);
+                written += u64::from(scene.draw::<F, T, _>(frame).pixels);
+            },
+            |band| {
+                let before = usize::from(band.first_row) * usize::from(scene.size.width);
+                assert_eq!(before, sent.len(), "in order, without a gap");
+                sent.extend_from_slice(band.pixels);
+                Ok(())
+            },
+        );
+        assert_eq!(all, Ok(()), "nothing fails");
+        (sent, written)
+    };
+    let (whole, written) = draw(scene.size.height);
+    let (banded, banded_written) = draw(rows);
+    assert!(whole == banded, "bands of {rows} rows: {scene:?}");
+    assert_eq!(written, banded_written, "each pixel as often: {scene:?}");
+    written
 }

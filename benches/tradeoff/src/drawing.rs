@@ -2,7 +2,7 @@
 
 use microraster::host::reference::compare::{rgb565, rgba8888, RGB565_STEPS, RGBA8888_STEPS};
 
-use crate::scenes::{hash, Model, Probe, Scene, Stage, ROOM};
+use crate::scenes::{hash, ListRoom, Model, Probe, Scene, Stage, ROOM};
 use crate::tradeoff::cases;
 
 /// Counts pixels where the board counts instructions.
@@ -48,7 +48,9 @@ pub(crate) fn draw(scene: &Scene<Counter>, bunny: Option<Model<'_>>) -> Drawing 
     let (mut color, mut depth) = (vec![0; ROOM], vec![0; ROOM]);
     let mut cache = Box::default();
     let mut counter = Counter::default();
-    let mut stage = Stage { color: &mut color, depth: &mut depth, cache: &mut cache, bunny };
+    let mut list = Box::new(ListRoom::NEW);
+    let mut stage =
+        Stage { color: &mut color, depth: &mut depth, cache: &mut cache, bunny, list: &mut list };
     let facts = (scene.draw)(&mut stage, 0, &mut counter);
     let is_wide = facts.bytes == 4 * ROOM;
     let is_big_endian = scene.name.ends_with("=rgb565-be");

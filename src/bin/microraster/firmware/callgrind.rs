@@ -1,6 +1,6 @@
 //! The scenes on the host: instructions of the measured parts, counted by callgrind.
 
-use super::scenes::{self, Model, Probe, Stage, ROOM};
+use super::scenes::{self, ListRoom, Model, Probe, Stage, ROOM};
 use std::process::{Command, Stdio};
 
 /// Runs what is measured, in a function that callgrind knows by its name.
@@ -32,10 +32,17 @@ pub(crate) fn draw(name: &str, bunny: Option<Model<'_>>) -> Result<(), String> {
     let scene = scene.ok_or_else(|| format!("there is no measured scene `{name}`"))?;
     let (mut color, mut depth) = (vec![0; ROOM], vec![0; ROOM]);
     let mut cache = Box::default();
+    let mut list = Box::new(ListRoom::NEW);
     for frame in 0..scene.frames {
         color.fill(0);
         depth.fill(0);
-        let mut stage = Stage { color: &mut color, depth: &mut depth, cache: &mut cache, bunny };
+        let mut stage = Stage {
+            color: &mut color,
+            depth: &mut depth,
+            cache: &mut cache,
+            bunny,
+            list: &mut list,
+        };
         (scene.draw)(&mut stage, frame, &mut Runner);
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Draws the scenes on the host, compares them with what a board drew, and prints the facts.
 
 use super::lines::Drawn;
-use super::scenes::{hash, scenes, Model, Probe, Scene, Stage, ROOM};
+use super::scenes::{hash, scenes, ListRoom, Model, Probe, Scene, Stage, ROOM};
 use std::fmt;
 
 /// One frame, as the host drew it.
@@ -40,14 +40,20 @@ impl Probe for Counter {
 pub(crate) fn draw(scene: &Scene<Counter>, bunny: Option<Model<'_>>, limit: u32) -> Vec<Frame> {
     let (mut color, mut depth) = (vec![0; ROOM], vec![0; ROOM]);
     let mut cache = Box::default();
+    let mut list = Box::new(ListRoom::NEW);
     (0..scene.frames.min(limit))
         .map(|frame| {
             // As the firmware does: a frame must not depend on what was drawn before it.
             color.fill(0);
             depth.fill(0);
             let mut counter = Counter::default();
-            let mut stage =
-                Stage { color: &mut color, depth: &mut depth, cache: &mut cache, bunny };
+            let mut stage = Stage {
+                color: &mut color,
+                depth: &mut depth,
+                cache: &mut cache,
+                bunny,
+                list: &mut list,
+            };
             let facts = (scene.draw)(&mut stage, frame, &mut counter);
             Frame {
                 hash: hash::picture(&color, facts.bytes),
@@ -59,7 +65,7 @@ pub(crate) fn draw(scene: &Scene<Counter>, bunny: Option<Model<'_>>, limit: u32)
         .collect()
 }
 
-/// The scenes that a list of names asks for: `gallery`, `golden`, `standard`, `all` or names.
+/// The scenes that a list of names asks for: `bands`, `gallery`, `golden`, `standard`, `all` or names.
 ///
 /// # Errors
 /// A name that no scene has.
@@ -67,6 +73,7 @@ pub(crate) fn asked(names: &[String]) -> Result<Vec<Scene<Counter>>, String> {
     use super::scenes::Group;
     let wants = |scene: &Scene<Counter>, name: &String| match name.as_str() {
         "all" => true,
+        "bands" => scene.group == Group::Bands,
         "gallery" => scene.group == Group::Gallery,
         "golden" => scene.group == Group::Golden,
         "standard" => scene.group == Group::Standard,
@@ -76,7 +83,7 @@ pub(crate) fn asked(names: &[String]) -> Result<Vec<Scene<Counter>>, String> {
         if !scenes::<Counter>().any(|scene| wants(&scene, name)) {
             let known: Vec<_> = scenes::<Counter>().map(|scene| scene.name).collect();
             return Err(format!(
-                "there is no scene `{name}`; choose gallery, golden, standard, all or of {}",
+                "there is no scene `{name}`; choose bands, gallery, golden, standard, all or of {}",
                 known.join(", ")
             ));
         }

@@ -29,6 +29,7 @@ use build::House;
 use elf::Elf;
 use facts::{Counter, Frame, Line};
 use figures::Figures;
+use per::Per;
 use record::Record;
 use scenes::{Model, Scene};
 use std::path::PathBuf;
@@ -57,7 +58,7 @@ pub(crate) struct Arguments {
     /// Boards, of m0, m3, m4, m7, m33, m55 and rv32.
     #[arg(long, value_delimiter = ',', default_value = "m4,m0", value_name = "BOARD")]
     boards: Vec<String>,
-    /// Scenes by name, or the lists `gallery`, `golden`, `standard` and `all`.
+    /// Scenes by name, or the lists `bands`, `gallery`, `golden`, `standard` and `all`.
     #[arg(long, value_delimiter = ',', default_value = "all", value_name = "SCENE")]
     scenes: Vec<String>,
     /// Draw only the first frames of each scene.
@@ -66,7 +67,7 @@ pub(crate) struct Arguments {
     /// Memory by section; with --sizes, every symbol.
     #[arg(short, long)]
     verbose: bool,
-    /// Put what --features or --ladder measures into the tables of a Markdown file.
+    /// Put what scenes, --features or --ladder measure into the tables of a Markdown file.
     #[arg(long, value_name = "FILE")]
     figures: Option<PathBuf>,
     /// Draw the measured scenes on five boards and on the host, and write docs/PERFORMANCE.md, the
@@ -181,17 +182,29 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
 
     let expected: Vec<_> = scenes.iter().map(|scene| facts::draw(scene, bunny, limit)).collect();
     let (mut all, mut record) = (Vec::new(), Record::default());
+    let mut figures = Figures::default();
     for board in &boards {
         let lines = compare(&house, board, &scenes, &expected, &words, arguments.verbose)?;
         // What is not measured has no figure to keep.
         let is_measured = |scene: &Scene<Counter>| scene.group == scenes::Group::Standard;
         let measured = scenes.iter().zip(&lines).filter(|(scene, _)| is_measured(scene));
         record.add(measured.map(|(_, line)| line), &build::compiler(board.target)?);
+        if arguments.figures.is_some() {
+            figures.board(board.name);
+            for line in &lines {
+                let per = Per::of(line.scene());
+                let figure = line.instructions() as f64 / per.count(line) as f64;
+                figures.put(&format!("{}, instructions a {per}", line.scene()), per.text(figure));
+            }
+        }
         all.extend(lines);
     }
     match all.iter().filter(|line| line.differs.is_some()).count() {
         0 => {}
         wrong => return Err(format!("{wrong} scenes differ between a board and the host")),
+    }
+    if let Some(file) = &arguments.figures {
+        figures.write(file, "")?;
     }
     if arguments.performance {
         performance::write(&house, &boards, &all, &record)?;

@@ -1,0 +1,359 @@
+use super::ListError;
+use crate::frame::{Rect, Size, MAX_SIDE};
+use crate::raster::{area_of_sides, first_center, ScreenVertex, Triangle, GUARD, SUBPIXELS};
+
+/// No triangle: the end of a list.
+const NONE: u16 = u16::MAX;
+
+/// Coordinates have 24 bits: any corner of any viewport.
+const _: () = assert!(
+    (super::pass::FARTHEST as i64 + MAX_SIDE as i64 + GUARD as i64) * (SUBPIXELS as i64) < 1 << 23,
+    "coordinates of a recorded corner"
+);
+
+/// A vertex in a [`DisplayList`]: 8 bytes of place on the screen, and what a shader gave it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ListVertex<C> {
+    /// 24 bits of x above the upper 8 of y.
+    x_and_y: u32,
+    /// The lower 16 bits of y above z.
+    y_and_z: u32,
+    corner: C,
+}
+
+impl<C> ListVertex<C> {
+    /// A vertex to fill a `static` with: `blank` is any value.
+    pub const fn with_blank(blank: C) -> Self {
+        Self { x_and_y: 0, y_and_z: 0, corner: blank }
+    }
+
+    #[inline(always)]
+    #[allow(clippy::cast_sign_loss, reason = "bits are taken apart")]
+    fn new(vertex: &ScreenVertex, corner: C) -> Self {
+        let (x, y) = (vertex.x_bits() as u32, vertex.y_bits() as u32);
+        Self { x_and_y: x << 8 | (y >> 16 & 0xFF), y_and_z: y << 16 | u32::from(vertex.z), corner }
+    }
+
+    #[inline(always)]
+    #[allow(clippy::cast_possible_wrap, reason = "bits are put together, and the sign is theirs")]
+    const fn y_bits(&self) -> i32 {
+        (self.x_and_y << 24) as i32 >> 8 | (self.y_and_z >> 16) as i32
+    }
+
+    #[inline(always)]
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_possible_wrap,
+        reason = "bits are put together, and the sign is theirs"
+    )]
+    fn vertex(&self) -> ScreenVertex {
+        ScreenVertex::from_bits(self.x_and_y as i32 >> 8, self.y_bits(), self.y_and_z as u16)
+    }
+}
+
+/// A triangle in a [`DisplayList`]: 8 bytes.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ListTriangle {
+    /// Numbers of its vertices, clockwise on the screen, the provoking one first. The piece of a
+    /// clipped triangle has the same number thrice: its corners are that vertex and the next two,
+    /// and the one behind them says what provokes.
+    vertices: [u16; 3],
+    /// The next one of the same list.
+    next: u16,
+}
+
+impl ListTriangle {
+    /// A triangle to fill a `static` with.
+    pub const BLANK: Self = Self { vertices: [0; 3], next: 0 };
+}
+
+/// Memory of the caller's for the triangles that a mesh puts on the screen, recorded once a picture
+/// by [`Pass::record`](super::Pass::record) and drawn from in each band.
+///
+/// # Range
+/// At most 65535 vertices and as many triangles; what is longer is not used.
+#[derive(Debug)]
+pub struct DisplayList<'a, C> {
+    vertices: &'a mut [ListVertex<C>],
+    triangles: &'a mut [ListTriangle],
+    /// For each band the last of the triangles whose first row is in it; they form a ring.
+    bands: &'a mut [u16],
+    /// What was recorded, and what would have been.
+    vertex_count: u32,
+    triangle_count: u32,
+    picture: Size,
+    /// Rows of a band; none before triangles are linked.
+    rows: i32,
+    /// The band that comes next, and its first row.
+    number: usize,
+    next_row: i32,
+    /// Triangles of earlier bands that reach into the next one.
+    carried: Chain,
+}
+
+/// Triangles in the order in which they were recorded: the first and the last.
+#[derive(Clone, Copy, Debug)]
+struct Chain {
+    first: u16,
+    last: u16,
+}
+
+impl Chain {
+    const EMPTY: Self = Self { first: NONE, last: NONE };
+
+    #[inline(always)]
+    fn push(&mut self, number: u16, triangles: &mut [ListTriangle]) {
+        if let Some(triangle) = triangles.get_mut(usize::from(number)) {
+            triangle.next = NONE;
+        }
+        match triangles.get_mut(usize::from(self.last)) {
+            Some(last) => last.next = number,
+            None => self.first = number,
+        }
+        self.last = number;
+    }
+}
+
+/// As many as numbers of 16 bits tell apart.
+fn numbered<T>(slice: &mut [T]) -> &mut [T] {
+    let length = slice.len().min(NONE.into());
+    slice.get_mut(..length).unwrap_or_default()
+}
+
+/// A recorded triangle, ready to be drawn.
+#[derive(Clone, Copy)]
+pub(super) struct Recorded<C> {
+    pub(super) triangle: Triangle,
+    pub(super) corners: [C; 3],
+    pub(super) provoking: C,
+}
+
+/// The rows that a triangle's pixels lie in: from the first up to the one behind the last.
+#[inline(always)]
+fn rows_of([a, b, c]: [i32; 3]) -> (i32, i32) {
+    (first_center(a.min(b).min(c)), first_center(a.max(b).max(c)))
+}
+
+/// Whether the box of a triangle holds the centre of a pixel of the area.
+#[inline(always)]
+pub(super) fn reaches(triangle: &Triangle, area: &Rect) -> bool {
+    let (top, bottom) = rows_of(triangle.v.map(|vertex| vertex.y_bits()));
+    let (left, right) = rows_of(triangle.v.map(|vertex| vertex.x_bits()));
+    top.max(area.top) < bottom.min(area.bottom) && left.max(area.left) < right.min(area.right)
+}
+
+impl<'a, C: Copy> DisplayList<'a, C> {
+    /// An empty list. `bands` has one number for each band of the picture; what the slices hold is
+    /// overwritten.
+    pub fn new(
+        vertices: &'a mut [ListVertex<C>],
+        triangles: &'a mut [ListTriangle],
+        bands: &'a mut [u16],
+    ) -> Self {
+        Self {
+            vertices: numbered(vertices),
+            triangles: numbered(triangles),
+            bands,
+            vertex_count: 0,
+            triangle_count: 0,
+            picture: Size::new(0, 0),
+            rows: 0,
+            number: 0,
+            next_row: 0,
+            carried: Chain::EMPTY,
+        }
+    }
+
+    /// Vertices that were recorded.
+    pub fn vertices(&self) -> u32 {
+        self.vertex_count
+    }
+
+    /// Triangles that were recorded.
+    pub fn triangles(&self) -> u32 {
+        self.triangle_count
+    }
+
+    /// Forgets everything, for a picture of this size.
+    pub(super) fn start(&mut self, picture: Size) {
+        (self.vertex_count, self.triangle_count) = (0, 0);
+        (self.picture, self.rows) = (picture, 0);
+    }
+
+    /// What was recorded, if all of it found room.
+    pub(super) fn finish(&self) -> Result<(), ListError> {
+        let (vertices, triangles) = (self.vertex_count, self.triangle_count);
+        let fits = |count: u32, room: usize| count as usize <= room;
+        if fits(vertices, self.vertices.len()) && fits(triangles, self.triangles.len()) {
+            Ok(())
+        } else {
+            Err(ListError::Full { vertices, triangles })
+        }
+    }
+
+    /// Takes a vertex, and gives its number; counts it where there is no room.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "no more fit than have a number")]
+    pub(super) fn push_vertex(&mut self, vertex: &ScreenVertex, corner: C) -> u16 {
+        let number = self.vertex_count;
+        if let Some(place) = self.vertices.get_mut(number as usize) {
+            *place = ListVertex::new(vertex, corner);
+        }
+        self.vertex_count = number.saturating_add(1);
+        number as u16
+    }
+
+    /// Takes a triangle.
+    #[inline(always)]
+    pub(super) fn push(&mut self, vertices: [u16; 3]) {
+        if let Some(place) = self.triangles.get_mut(self.triangle_count as usize) {
+            *place = ListTriangle { vertices, next: NONE };
+        }
+        self.triangle_count = self.triangle_count.saturating_add(1);
+    }
+
+    /// Takes the piece of a clipped triangle.
+    pub(super) fn push_piece(&mut self, triangle: &Triangle, corners: &[C; 3], provoking: C) {
+        let [a, b, c] = &triangle.v;
+        let [p, q, r] = *corners;
+        let first = self.push_vertex(a, p);
+        for (vertex, corner) in [(b, q), (c, r), (a, provoking)] {
+            self.push_vertex(vertex, corner);
+        }
+        self.push([first; 3]);
+    }
+
+    /// The numbers of a triangle's vertices, the provoking one last.
+    #[inline(always)]
+    fn numbers(triangle: &ListTriangle) -> [u16; 4] {
+        let [a, b, c] = triangle.vertices;
+        if a == b {
+            [a, a.wrapping_add(1), a.wrapping_add(2), a.wrapping_add(3)]
+        } else {
+            [a, b, c, a]
+        }
+    }
+
+    #[inline(always)]
+    fn vertex(&self, number: u16) -> Option<&ListVertex<C>> {
+        self.vertices.get(usize::from(number))
+    }
+
+    /// A triangle and the row behind its last.
+    #[inline(always)]
+    pub(super) fn recorded(&self, number: u16) -> Option<(Recorded<C>, i32)> {
+        let triangle = self.triangles.get(usize::from(number))?;
+        let [a, b, c, first] = Self::numbers(triangle);
+        let (a, b, c) = (self.vertex(a)?, self.vertex(b)?, self.vertex(c)?);
+        let v = [a.vertex(), b.vertex(), c.vertex()];
+        let side = |to: i32, from: i32| to.wrapping_sub(from);
+        let [(ax, ay), (bx, by), (cx, cy)] = v.map(|vertex| (vertex.x_bits(), vertex.y_bits()));
+        let area = area_of_sides(side(bx, ax), side(by, ay), side(cx, ax), side(cy, ay));
+        let recorded = Recorded {
+            triangle: Triangle { v, area, flipped: false },
+            corners: [a.corner, b.corner, c.corner],
+            provoking: self.vertex(first)?.corner,
+        };
+        Some((recorded, rows_of([ay, by, cy]).1))
+    }
+
+    /// The rows of a triangle.
+    fn rows_of(&self, number: u16) -> Option<(i32, i32)> {
+        let [a, b, c, _] = Self::numbers(self.triangles.get(usize::from(number))?);
+        let y = |number| Some(self.vertex(number)?.y_bits());
+        Some(rows_of([y(a)?, y(b)?, y(c)?]))
+    }
+
+    /// Makes ready for the band of these rows of a picture, and gives its triangles.
+    pub(super) fn band(
+        &mut self,
+        picture: Size,
+        first_row: u16,
+        rows: u16,
+    ) -> Result<BandTriangles, ListError> {
+        if picture != self.picture {
+            return Err(ListError::Picture { needed: self.picture, got: picture });
+        }
+        let (top, height) = (i32::from(first_row), i32::from(rows));
+        let ends = top.wrapping_add(height) == i32::from(picture.height);
+        let goes_on = top == self.next_row && (height == self.rows || ends && height < self.rows);
+        if !goes_on {
+            let needed = picture.height.saturating_sub(first_row).div_ceil(rows.max(1));
+            let got = self.bands.len();
+            if got < usize::from(needed) {
+                let got = u32::try_from(got).unwrap_or(u32::MAX);
+                return Err(ListError::Bands { needed: needed.into(), got });
+            }
+            self.link(top, rows.max(1));
+        }
+        let last = self.bands.get(self.number).copied().unwrap_or(NONE);
+        self.number = self.number.wrapping_add(1);
+        let first = self.triangles.get(usize::from(last)).map_or(NONE, |triangle| triangle.next);
+        let carried = core::mem::replace(&mut self.carried, Chain::EMPTY).first;
+        self.next_row = top.wrapping_add(height);
+        Ok(BandTriangles { carried, first, last })
+    }
+
+    /// Puts each triangle into the ring of the first band that it touches, from `first_row` on.
+    #[inline(never)]
+    fn link(&mut self, first_row: i32, rows: u16) {
+        (self.number, self.rows, self.carried) = (0, rows.into(), Chain::EMPTY);
+        self.bands.fill(NONE);
+        // So that the target needs no division a triangle: the quotient or one less.
+        let rows = u32::from(rows);
+        let reciprocal = 0x1_0000_u32.checked_div(rows).unwrap_or(0);
+        let count = u16::try_from(self.triangle_count).unwrap_or(NONE);
+        for number in 0..count {
+            let Some((top, bottom)) = self.rows_of(number) else { return };
+            if bottom <= first_row {
+                continue;
+            }
+            if top < first_row {
+                self.carried.push(number, self.triangles);
+                continue;
+            }
+            let below = top.wrapping_sub(first_row).cast_unsigned();
+            let mut band = below.wrapping_mul(reciprocal) >> 16;
+            while below.wrapping_sub(band.wrapping_mul(rows)) >= rows {
+                band = band.wrapping_add(1);
+            }
+            let Some(last) = self.bands.get_mut(band as usize) else { continue };
+            let before = core::mem::replace(last, number);
+            let first = match self.triangles.get_mut(usize::from(before)) {
+                Some(before) => core::mem::replace(&mut before.next, number),
+                None => number,
+            };
+            if let Some(triangle) = self.triangles.get_mut(usize::from(number)) {
+                triangle.next = first;
+            }
+        }
+    }
+
+    /// The next triangle of a band, in the order in which they were recorded.
+    #[inline(always)]
+    pub(super) fn next(&self, band: &mut BandTriangles) -> Option<u16> {
+        let number = band.carried.min(band.first);
+        let next = self.triangles.get(usize::from(number))?.next;
+        if number == band.carried {
+            band.carried = next;
+        } else {
+            band.first = if number == band.last { NONE } else { next };
+        }
+        Some(number)
+    }
+
+    /// Keeps a triangle that reaches beyond the band for the next one.
+    #[inline(always)]
+    pub(super) fn carry(&mut self, number: u16) {
+        self.carried.push(number, self.triangles);
+    }
+}
+
+/// What is still to be drawn of a band: triangles of earlier bands, and a ring of those that begin
+/// in it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BandTriangles {
+    carried: u16,
+    first: u16,
+    last: u16,
+}

@@ -1,0 +1,319 @@
+//! Meshes that are recorded once a picture and drawn in each of its bands.
+
+use super::assembly::{Assembly, Face, MeshPositions, Positions};
+use super::cache::CacheView;
+use super::clipper::Fan;
+use super::display_list::{reaches, Recorded};
+use super::draw::Draw;
+use super::fill::{Access, Fill, Walk};
+use super::pass::SetUp;
+use super::transform::Transform;
+use super::{DisplayList, ListError, Pass, VertexCache};
+use crate::color::Format;
+use crate::frame::{Frame, Rect, Size, Supplies};
+use crate::math::Mat4;
+use crate::raster::{ScreenVertex, SpanBatch, Traversal};
+use crate::scene::{Mesh, Topology};
+use crate::shade::{Bound, Corner, Counter, Event, Shader, State, Varying};
+
+/// A mesh as a [`Pass`] puts it on the screen: transformed, shaded, culled and clipped.
+pub struct Recording<'a, H: Shader> {
+    list: DisplayList<'a, Corner<H::Varying>>,
+    shader: &'a H,
+    /// None where nothing of the mesh can be drawn.
+    prepared: Option<H::Prepared>,
+    /// What is drawn of the picture.
+    area: Rect,
+}
+
+impl<H: Shader> core::fmt::Debug for Recording<'_, H> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Recording")
+            .field("vertices", &self.list.vertices())
+            .field("triangles", &self.list.triangles())
+            .field("area", &self.area)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<H: Shader> Recording<'_, H> {
+    /// Vertices in the list.
+    pub fn vertices(&self) -> u32 {
+        self.list.vertices()
+    }
+
+    /// Triangles in the list, pieces of clipped ones each for itself.
+    pub fn triangles(&self) -> u32 {
+        self.list.triangles()
+    }
+}
+
+impl<S: State> Pass<'_, S> {
+    /// Records what a mesh puts on the screen, for [`replay`](Self::replay) in each band of a
+    /// picture: vertices are transformed and shaded once, whatever the number of bands. Triangles
+    /// only; lines and points are drawn again.
+    ///
+    /// Of the pass it is the camera, the viewport, culling and the counter that matter here; each
+    /// triangle is counted once, and is outside only if its box holds no pixel of the picture. The cache
+    /// says which vertices are in the list already: those that it forgets come in again.
+    ///
+    /// ```
+    /// use microraster::math::{Mat4, Vec3};
+    /// use microraster::models::TEAPOT;
+    /// use microraster::{Bands, Camera, Cull, DisplayList, Gouraud, Less, Light, ListTriangle};
+    /// use microraster::{ListVertex, Pass, Rgb, Rgb565, Size, VertexCache};
+    /// # use microraster::math::AngleUnits;
+    ///
+    /// let (mut pixels, mut depth) = ([0u16; 128 * 8], [0u16; 128 * 8]);
+    /// let picture = Size::new(128, 64);
+    /// let mut bands = Bands::<Rgb565>::new(&mut pixels, picture)?.with_depth(&mut depth)?;
+    /// let camera = Camera::perspective(45.0.degrees(), 0.5)
+    ///     .look_at(Vec3::new(0.0, 2.0, 5.0), Vec3::ZERO, Vec3::Y);
+    /// let sun = Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::WHITE);
+    /// let (model, shader) = (Mat4::identity(), Gouraud::lit(&[sun]));
+    ///
+    /// let (mut vertices, mut triangles) = ([ListVertex::default(); 600], [ListTriangle::default(); 600]);
+    /// let (mut numbers, mut cache) = ([0; 8], VertexCache::<u16, 512>::new());
+    /// let list = DisplayList::new(&mut vertices, &mut triangles, &mut numbers);
+    /// let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
+    /// let mut recording = pass.record(list, picture, &model, &TEAPOT, &shader, &mut cache);
+    /// # assert!(recording.is_ok(), "{recording:?}");
+    /// let sent = bands.draw::<()>(
+    ///     |frame| {
+    ///         frame.clear(Rgb::BLACK);
+    ///         // Where the list was too short, the mesh itself.
+    ///         pass.replay_or_draw(frame, &mut recording, &model, &TEAPOT, &shader);
+    ///     },
+    ///     |_band| Ok(()),
+    /// );
+    /// # assert!(sent.is_ok());
+    /// # Ok::<(), microraster::FrameError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ListError::Full`] says what all of the mesh would take.
+    ///
+    /// # Cost
+    /// 8 bytes a triangle, and 8 a vertex plus what its shader gives it: 12 in all for a colour. The
+    /// pieces of a triangle that is clipped have four vertices each, triangles with attributes of
+    /// their own three.
+    pub fn record<'a, H, T, const N: usize>(
+        &mut self,
+        mut list: DisplayList<'a, Corner<H::Varying>>,
+        picture: Size,
+        model: &Mat4,
+        mesh: &Mesh<'_, H::Vertex, T>,
+        shader: &'a H,
+        cache: &mut VertexCache<u16, N>,
+    ) -> Result<Recording<'a, H>, ListError>
+    where
+        H: Shader,
+        T: Topology<Primitive = [u32; 3]>,
+    {
+        list.start(picture);
+        let (vertices, whole) = (mesh.vertices(), Rect::from_size(picture));
+        let mut transform = Transform::NONE;
+        let ready = self.set_up(picture, whole, model, vertices, shader, &mut transform);
+        let Some(SetUp { mapping, area, culled, prepared }) = ready else {
+            for _ in 0..mesh.triangles() {
+                self.state.counter().event(Event::Triangle);
+                self.state.counter().event(Event::Skipped);
+            }
+            return Ok(Recording { list, shader, prepared: None, area: Rect::default() });
+        };
+        let (cursor, fan) = (T::Cursor::default(), Fan::default());
+        let assembly = Assembly { topology: mesh.topology, cursor, mapping, area, culled, fan };
+        let draw = Draw { vertices, shader, prepared: &prepared };
+        let counter = self.state.counter();
+        if H::OWN_POSITIONS {
+            draw.record(&draw, assembly, counter, cache.start(), &mut list);
+        } else {
+            let positions = MeshPositions { transform: &transform, positions: vertices.positions };
+            draw.record(&positions, assembly, counter, cache.start(), &mut list);
+        }
+        list.finish()?;
+        Ok(Recording { list, shader, prepared: Some(prepared), area })
+    }
+
+    /// Draws what was recorded into a band, with the state of this pass: the same bits as drawing
+    /// the mesh.
+    ///
+    /// Bands that come one after the other, all of the same height but for the last, are cheapest;
+    /// any other order costs another look at all triangles.
+    ///
+    /// # Errors
+    /// The list has no room for the number of bands, or the frame is of another picture; then
+    /// nothing is drawn.
+    pub fn replay<H, F, D>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        recording: &mut Recording<'_, H>,
+    ) -> Result<(), ListError>
+    where
+        H: Shader,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let Recording { list, shader, prepared, area } = recording;
+        let Some(prepared) = prepared else { return Ok(()) };
+        let bound = Bound { shader: *shader, prepared };
+        let Size { height, .. } = frame.size();
+        let mut band = list.band(frame.picture(), frame.first_row(), height)?;
+        let end = i32::from(frame.first_row()).wrapping_add(height.into());
+        let area = frame.scissor().intersection(*area);
+        let state = &mut self.state;
+        let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
+        while let Some(number) = list.next(&mut band) {
+            let Some((recorded, bottom)) = list.recorded(number) else { break };
+            if bottom > end {
+                list.carry(number);
+            }
+            let Recorded { triangle, corners, provoking } = &recorded;
+            state.traversal().start(&mut walk, triangle, &area, &mut batch);
+            if !batch.is_empty() {
+                let fill = Fill { triangle, corners, provoking };
+                fill.draw(frame, state, &bound, &mut walk, &mut batch);
+            }
+        }
+        Ok(())
+    }
+
+    /// Draws what was recorded or, where that was not possible, the mesh itself: the same bits
+    /// either way.
+    pub fn replay_or_draw<H, F, D, T>(
+        &mut self,
+        frame: &mut Frame<'_, F, D>,
+        recording: &mut Result<Recording<'_, H>, ListError>,
+        model: &Mat4,
+        mesh: &Mesh<'_, H::Vertex, T>,
+        shader: &H,
+    ) where
+        H: Shader,
+        F: Format,
+        D: Supplies<Access<S>>,
+        T: Topology<Primitive = [u32; 3]>,
+    {
+        let replayed = match recording {
+            Ok(recording) => self.replay(frame, recording).is_ok(),
+            Err(_) => false,
+        };
+        if !replayed {
+            self.draw(frame, model, mesh, shader);
+        }
+    }
+}
+
+impl<H: Shader> Draw<'_, H> {
+    /// Records all triangles that may be seen.
+    fn record<P, T, C>(
+        &self,
+        positions: &P,
+        mut assembly: Assembly<T>,
+        counter: &mut C,
+        mut cache: CacheView<'_, u16>,
+        list: &mut DisplayList<'_, Corner<H::Varying>>,
+    ) where
+        P: Positions,
+        T: Topology<Primitive = [u32; 3]>,
+        C: Counter,
+    {
+        let mut face = Face::NONE;
+        while assembly.next(positions, cache.entries, counter, &mut face) {
+            if !reaches(&face.triangle, &assembly.area) {
+                if !face.clipped {
+                    counter.event(Event::Outside);
+                }
+                continue;
+            }
+            let taken = if face.clipped || self.vertices.by_face {
+                self.record_alone(&mut face, positions, &assembly.fan, list)
+            } else {
+                self.record_shared(&face, positions, &mut cache, list)
+            };
+            if taken.is_none() {
+                counter.event(Event::Skipped);
+                face.clipped = false;
+            } else if !face.clipped {
+                counter.event(Event::Drawn);
+            }
+        }
+    }
+
+    /// Records a triangle whose vertices others may share; `None` if the mesh lacks one.
+    #[inline(always)]
+    fn record_shared<P: Positions>(
+        &self,
+        face: &Face,
+        positions: &P,
+        cache: &mut CacheView<'_, u16>,
+        list: &mut DisplayList<'_, Corner<H::Varying>>,
+    ) -> Option<()> {
+        let mut numbers = [0; 3];
+        self.vertices.attributes.get(*face.vertices.first()? as usize)?;
+        for (at, number) in numbers.iter_mut().enumerate() {
+            let (index, vertex) = (*face.vertices.get(at)?, face.triangle.v.get(at)?);
+            *number = match cache.corner(index) {
+                Some(number) => number,
+                None => self.record_vertex((index, at), vertex, positions, cache, list)?,
+            };
+        }
+        list.push(numbers);
+        Some(())
+    }
+
+    /// Makes a vertex's attributes and records it; corner number `at` of a triangle.
+    #[inline(never)]
+    fn record_vertex<P: Positions>(
+        &self,
+        (index, at): (u32, usize),
+        vertex: &ScreenVertex,
+        positions: &P,
+        cache: &mut CacheView<'_, u16>,
+        list: &mut DisplayList<'_, Corner<H::Varying>>,
+    ) -> Option<u16> {
+        let corner = match self.made(index, index, positions) {
+            Some(corner) => corner,
+            // Nobody looks at it.
+            None if at > 0 && !H::Varying::INTERPOLATED => Corner::<H::Varying>::default(),
+            None => return None,
+        };
+        let number = list.push_vertex(vertex, corner);
+        cache.keep_corner(index, number);
+        Some(number)
+    }
+
+    /// Records a triangle with attributes of its own, or a piece of a clipped one.
+    #[inline(never)]
+    fn record_alone<P: Positions>(
+        &self,
+        face: &mut Face,
+        positions: &P,
+        fan: &Fan,
+        list: &mut DisplayList<'_, Corner<H::Varying>>,
+    ) -> Option<()> {
+        let corners = if self.vertices.by_face {
+            self.face_corners(face, positions)?
+        } else {
+            let [a, b, c] = face.vertices;
+            let corner = |index| self.made(index, index, positions);
+            let provoking = corner(a)?;
+            if H::Varying::INTERPOLATED {
+                [provoking, corner(b)?, corner(c)?]
+            } else {
+                [provoking; 3]
+            }
+        };
+        let [provoking, ..] = corners;
+        if face.clipped {
+            face.covered = true;
+            let mixed = fan.mixed::<H::Varying>(&corners, face.triangle.flipped);
+            list.push_piece(&face.triangle, &mixed, provoking);
+            return Some(());
+        }
+        let [a, b, c] = &face.triangle.v;
+        let [p, q, r] = corners;
+        let numbers = [(a, p), (b, q), (c, r)].map(|(v, corner)| list.push_vertex(v, corner));
+        list.push(numbers);
+        Some(())
+    }
+}

@@ -1,0 +1,140 @@
+//! `Bands`: how many rows fit, what is handed out when, and that it is the whole frame's picture.
+#![cfg(feature = "std")]
+#![allow(clippy::expect_used, reason = "a picture that cannot be drawn is a failure")]
+#![allow(clippy::cast_possible_truncation, reason = "random numbers are cut to what is wanted")]
+#![allow(dead_code, reason = "the scenes serve other programs too")]
+
+#[path = "support/choices.rs"]
+mod choices;
+#[path = "support/repertoire.rs"]
+mod repertoire;
+#[path = "support/scene_parts.rs"]
+mod scene_parts;
+#[path = "../examples/scenes/mod.rs"]
+mod scenes;
+mod support;
+
+use microraster::{AnyDepthState, AnyStencil, Bands, FrameError, Rect, Rgb565, Size, Stenciled};
+use repertoire::{check_bands, Scene};
+use scenes::golden::render::render;
+use scenes::golden::{pictures, Picture};
+use support::Random;
+
+const PICTURE: Size = Size::new(64, 48);
+
+/// How many rows fit into buffers of so many pixels and codes.
+fn rows(picture: Size, pixels: usize, codes: usize) -> Result<(u16, u16), FrameError> {
+    let (mut pixels, mut codes) = (vec![0; pixels], vec![0; codes]);
+    let bands = Bands::<Rgb565>::new(&mut pixels, picture)?.with_depth(&mut codes)?;
+    Ok((bands.rows(), bands.count()))
+}
+
+#[test]
+fn as_many_whole_rows_fit_as_the_shortest_buffer_holds() {
+    assert_eq!(rows(PICTURE, 64 * 7 + 63, 64 * 9), Ok((7, 7)), "colour decides");
+    assert_eq!(rows(PICTURE, 64 * 16, 64 * 5), Ok((5, 10)), "depth decides");
+    assert_eq!(rows(PICTURE, 64 * 100, 64 * 100), Ok((48, 1)), "no more than there are");
+    assert_eq!(rows(PICTURE, 64, 64), Ok((1, 48)), "one row");
+    assert_eq!(rows(Size::new(8192, 8192), 8192, 8192), Ok((1, 8192)), "the largest picture");
+}
+
+#[test]
+fn buffers_without_a_row_and_pictures_that_are_none_are_refused() {
+    let short = Err(FrameError::Color { needed: 64, got: 63 });
+    assert_eq!(rows(PICTURE, 63, 64), short, "a pixel is missing");
+    let short = Err(FrameError::Depth { needed: 64, got: 0 });
+    assert_eq!(rows(PICTURE, 64, 0), short, "no codes at all");
+    assert_eq!(rows(Size::new(0, 48), 64, 64), Err(FrameError::Empty), "no columns");
+    assert_eq!(rows(Size::new(64, 0), 64, 64), Err(FrameError::Empty), "no rows");
+    assert_eq!(
+        rows(Size::new(8193, 1), 9000, 9000),
+        Err(FrameError::TooLarge { got: 8193 }),
+        "wide"
+    );
+    assert_eq!(rows(Size::new(1, 8193), 64, 64), Err(FrameError::TooLarge { got: 8193 }), "tall");
+    let mut pixels = vec![0; 64];
+    let bands = Bands::<Rgb565>::new(&mut pixels, PICTURE);
+    let refused = bands.and_then(|bands| bands.with_stencil(&mut [0; 20]).map(|_| ())).err();
+    assert_eq!(refused, Some(FrameError::Stencil { needed: 64, got: 20 }), "stencil");
+}
+
+#[test]
+fn bands_come_from_the_top_and_an_error_of_the_sender_ends_them() {
+    let mut pixels = vec![0; 64 * 10];
+    let mut bands = Bands::<Rgb565>::new(&mut pixels, PICTURE).expect("ten rows");
+    let (mut drawn, mut sent) = (Vec::new(), Vec::new());
+    let result = bands.draw(
+        |frame| drawn.push((frame.first_row(), frame.size(), frame.picture())),
+        |band| {
+            assert_eq!(band.pixels.len(), 64 * usize::from(band.size.height), "no gaps");
+            sent.push((band.first_row, band.size.height));
+            if band.first_row == 30 {
+                Err("the cable fell out")
+            } else {
+                Ok(())
+            }
+        },
+    );
+    assert_eq!(result, Err("the cable fell out"), "passed through");
+    assert_eq!(sent, [(0, 10), (10, 10), (20, 10), (30, 10)], "in order, none after the error");
+    assert_eq!(drawn.len(), 4, "none is drawn for nothing");
+    assert!(drawn.iter().all(|(_, _, picture)| *picture == PICTURE), "{drawn:?}");
+    let last = bands.draw_band(4, |_| ()).map(|band| (band.first_row, band.size.height));
+    assert_eq!(last, Some((40, 8)), "what is left");
+    assert!(bands.draw_band(5, |_| ()).is_none(), "there are five");
+    assert!(bands.draw_band(u16::MAX, |_| ()).is_none(), "far beyond");
+    let first = bands.draw_band(0, |_| ()).map(|band| (band.first_row, band.size.height));
+    assert_eq!(first, Some((0, 10)), "again, in full height");
+}
+
+#[test]
+fn a_scissor_lasts_for_one_band() {
+    let mut pixels = vec![0; 64 * 16];
+    let mut bands = Bands::<Rgb565>::new(&mut pixels, PICTURE).expect("sixteen rows");
+    let mut reach = Vec::new();
+    let Ok::<(), ()>(()) = bands.draw(
+        |frame| {
+            reach.push(frame.scissor());
+            frame.set_scissor(Rect::new(3, 3, 5, 5));
+        },
+        |_| Ok(()),
+    ) else {
+        unreachable!("nothing fails")
+    };
+    let whole = [0, 16, 32].map(|top| Rect::new(0, top, 64, top + 16));
+    assert_eq!(reach, whole, "each begins with all of its rows");
+}
+
+/// Heights of bands: single rows, odd ones, what displays like, and all of them.
+const HEIGHTS: [u16; 8] = [1, 2, 3, 5, 7, 16, 17, 240];
+
+#[test]
+fn golden_pictures_are_the_same_in_bands_of_any_height() {
+    let pixels = |picture: &Picture| {
+        let (mut color, mut depth) = (vec![0u32; scenes::ROOM], vec![0u16; scenes::ROOM]);
+        let written = render(&mut color, &mut depth, picture);
+        assert!(written.skipped == 0 && written.pixels > 0, "{}", picture.name);
+        color
+    };
+    for picture in pictures() {
+        let whole = pixels(picture);
+        for rows in HEIGHTS {
+            let banded = pixels(&Picture { band: rows, ..*picture });
+            assert!(whole == banded, "{} in bands of {rows}", picture.name);
+        }
+    }
+}
+
+#[test]
+fn random_scenes_are_the_same_through_bands() {
+    let (mut random, mut pixels) = (Random(29), 0);
+    for number in 0..3000 {
+        let scene = Scene::new(Random(random.next()));
+        let rows = match number % 4 {
+            0 => 1 + (random.next() >> 13) as u16 % scene.size.height,
+            _ => HEIGHTS[number / 4 % HEIGHTS.len()],
+        };
+        pixels += check_bands::<Rgb565, Stenciled<AnyDepthState, AnyStencil>, _>(&scene, rows);
+    }
+    assert!(pixels > 300_000, "{pixels} pixels are too few");
+}

@@ -36,7 +36,7 @@ impl Camera {
     ///
     /// # Measured
     /// <!-- tradeoff: range/depth+range=infinite+1e3 -->
-    /// `infinite + 1e3` in the scene `range`: 2.64 M (M4F), 4.18 M (M0+), 2.77 M (RV32) instructions a frame; PSNR 19.4 dB.
+    /// `infinite + 1e3` in the scene `range`: 2.64 M (M4F), 4.18 M (M0+), 2.78 M (RV32) instructions a frame; PSNR 19.4 dB.
     #[inline]
     pub const fn perspective(field_of_view: Angle, near: f32) -> Self {
         let half_height = field_of_view.half().tan();

@@ -36,7 +36,7 @@ pub struct AtVertices;
 ///
 /// # Measured
 /// <!-- tradeoff: floor/fog=fragments -->
-/// `fragments` in the scene `floor`: 64.1 (M4F), 93.8 (M0+), 60.4 (RV32) instructions a pixel; PSNR 43.1 dB.
+/// `fragments` in the scene `floor`: 64.1 (M4F), 93.9 (M0+), 60.4 (RV32) instructions a pixel; PSNR 43.1 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtFragments;
 

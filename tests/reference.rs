@@ -29,3 +29,5 @@ mod perspective;
 mod shading;
 #[path = "reference/states.rs"]
 mod states;
+#[path = "support/stencil_states.rs"]
+mod stencil_states;

@@ -7,6 +7,8 @@
     reason = "random numbers are cut to what is wanted"
 )]
 
+#[path = "support/stencil_states.rs"]
+mod stencil_states;
 mod support;
 
 use microraster::frame::Supplies;
@@ -18,6 +20,7 @@ use microraster::{
     Off, Rect, Replace, Rgb, Rgb565, Scalar, ScreenPass, Shader, Size, Stats, Stencil,
     StencilBuffer, StencilCompare, StencilOperation, Stenciled, Thin, VertexInput, Wide, Zero,
 };
+use stencil_states::{COMPARES, OPERATIONS};
 use support::Random;
 
 const SIZE: Size = Size::new(24, 10);
@@ -27,28 +30,6 @@ const INK: u16 = 0xF81F;
 const COLOR: Rgb = Rgb::new(255, 0, 255);
 /// How near it is.
 const CODE: u16 = 30_000;
-
-const COMPARES: [AnyCompare; 8] = [
-    AnyCompare::Never,
-    AnyCompare::Less,
-    AnyCompare::LessEqual,
-    AnyCompare::Equal,
-    AnyCompare::Greater,
-    AnyCompare::GreaterEqual,
-    AnyCompare::NotEqual,
-    AnyCompare::Always,
-];
-
-const OPERATIONS: [AnyOperation; 8] = [
-    AnyOperation::Keep,
-    AnyOperation::Zero,
-    AnyOperation::Replace,
-    AnyOperation::IncrementClamp,
-    AnyOperation::IncrementWrap,
-    AnyOperation::DecrementClamp,
-    AnyOperation::DecrementWrap,
-    AnyOperation::Invert,
-];
 
 /// A test and its operations: compare, fail, depth fail, pass.
 type Choice = (AnyCompare, [AnyOperation; 3]);

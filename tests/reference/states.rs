@@ -11,6 +11,7 @@ use microraster::{
     Rect, Rgb, Rgba8888, ScreenPass, Size, Stencil, Stenciled, Winding,
 };
 
+use crate::stencil_states::{COMPARES, OPERATIONS};
 use crate::support::Random;
 
 const SIZE: Size = Size::new(24, 20);
@@ -33,28 +34,6 @@ const TESTS: [AnyDepth; 8] = [
     AnyDepth::Greater,
     AnyDepth::GreaterEqual,
     AnyDepth::NotEqual,
-];
-
-const COMPARES: [AnyCompare; 8] = [
-    AnyCompare::Never,
-    AnyCompare::Less,
-    AnyCompare::LessEqual,
-    AnyCompare::Equal,
-    AnyCompare::Greater,
-    AnyCompare::GreaterEqual,
-    AnyCompare::NotEqual,
-    AnyCompare::Always,
-];
-
-const OPERATIONS: [AnyOperation; 8] = [
-    AnyOperation::Keep,
-    AnyOperation::Replace,
-    AnyOperation::Zero,
-    AnyOperation::IncrementClamp,
-    AnyOperation::IncrementWrap,
-    AnyOperation::DecrementClamp,
-    AnyOperation::DecrementWrap,
-    AnyOperation::Invert,
 ];
 
 const BLENDS: [AnyBlend; 7] = [

@@ -20,6 +20,13 @@ struct Label {
     text: String,
 }
 
+/// 1, 2 and 5 of every power of ten between two numbers: what a logarithmic axis names.
+fn ticks(from: f64, to: f64) -> Vec<f64> {
+    let powers = (-3..12).map(|power| 10_f64.powi(power));
+    let all = powers.flat_map(|power| [1.0, 2.0, 5.0].map(|digit| digit * power));
+    all.filter(|tick| (from..=to).contains(tick)).collect()
+}
+
 /// Moves labels down until none covers another; `height` of each.
 fn spread(labels: &mut [Label], height: i32) {
     const WIDTH_OF_A_LETTER: i32 = 6;
@@ -65,6 +72,8 @@ fn plot(
     let errors = || rows.iter().map(|row| ideal(row));
     let (least, most) = (errors().fold(f64::MAX, f64::min), errors().fold(0.0, f64::max));
 
+    let (bottom, top) = (least.max(0.1) * 0.9, most.max(1.0) * 1.15);
+
     let area = SVGBackend::new(file, SIZE).into_drawing_area();
     area.fill(&WHITE)?;
     let name = BOARDS.get(board).map_or("", |(_, name)| name);
@@ -75,8 +84,8 @@ fn plot(
         .x_label_area_size(42)
         .y_label_area_size(60)
         .build_cartesian_2d(
-            (low * 0.9..high * 1.12).log_scale(),
-            (least.max(0.1) * 0.9..most.max(1.0) * 1.15).log_scale(),
+            (low * 0.9..high * 1.12).log_scale().with_key_points(ticks(low * 0.9, high * 1.12)),
+            (bottom..top).log_scale().with_key_points(ticks(bottom, top)),
         )?;
     chart
         .configure_mesh()
@@ -149,6 +158,12 @@ fn plot(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn axes_name_numbers_of_every_power() {
+        assert_eq!(ticks(14.0, 95.0), [20.0, 50.0]);
+        assert_eq!(ticks(0.9, 2.0), [1.0, 2.0]);
+    }
 
     #[test]
     fn labels_do_not_cover_each_other() {

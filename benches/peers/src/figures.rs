@@ -28,18 +28,35 @@ pub(crate) fn line(size: Size, comparison: &Comparison) -> String {
 
 /// Writes the tables of a page anew.
 pub(crate) fn write(page: &Path, all: &[(Size, Vec<Comparison>)]) -> anyhow::Result<()> {
-    let unreadable = || format!("{} could not be read", page.display());
-    let mut text = std::fs::read_to_string(page).with_context(unreadable)?;
     let times = table(all, |(ratio, _)| format!("{ratio:.2}"));
     let pictures = table(all, |(_, different)| format!("{different:.1}"));
-    for (name, table) in [("peers", times), ("peers-pictures", pictures)] {
-        let start = format!("<!-- figures {name}: made by `cargo peers`, not by hand -->\n");
-        let end = "<!-- end of figures -->";
-        let from = text.find(&start).with_context(|| format!("no mark of {name} in the page"))?;
-        let from = from + start.len();
-        let length = text[from..].find(end).with_context(|| format!("no end of {name}"))?;
-        text.replace_range(from..from + length, &table);
+    replace(page, "peers", &times)?;
+    replace(page, "peers-pictures", &pictures)
+}
+
+/// Writes the table of threads anew.
+pub(crate) fn write_threads(
+    page: &Path,
+    cores: usize,
+    rows: &[(Size, &str, f64)],
+) -> anyhow::Result<()> {
+    let mut table = format!("| | at | {cores} threads |\n| --- | ---: | ---: |\n");
+    for (size, scene, gain) in rows {
+        table += &format!("| {scene} | {}x{} | {gain:.2} |\n", size.width, size.height);
     }
+    replace(page, "threads", &table)
+}
+
+/// Puts a table between its marks.
+fn replace(page: &Path, name: &str, table: &str) -> anyhow::Result<()> {
+    let unreadable = || format!("{} could not be read", page.display());
+    let mut text = std::fs::read_to_string(page).with_context(unreadable)?;
+    let start = format!("<!-- figures {name}: made by `cargo peers`, not by hand -->\n");
+    let from = text.find(&start).with_context(|| format!("no mark of {name} in the page"))?;
+    let from = from + start.len();
+    let end = text[from..].find("<!-- end of figures -->");
+    let length = end.with_context(|| format!("no end of {name}"))?;
+    text.replace_range(from..from + length, table);
     std::fs::write(page, text).with_context(|| format!("{} could not be written", page.display()))
 }
 

@@ -6,13 +6,13 @@ mod measure;
 mod renderers;
 mod scene;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use clap::Parser;
 
 use measure::Comparison;
-use scene::Size;
+use scene::{Scene, Size};
 
 /// Draws the measured scenes with other renderers too, and compares.
 #[derive(Debug, Parser)]
@@ -26,6 +26,9 @@ struct Arguments {
     /// How often each renderer draws each scene, in turn; the least time of each counts.
     #[arg(long, default_value_t = 15)]
     rounds: usize,
+    /// Measures this crate alone, by one thread and by as many as there are cores.
+    #[arg(long)]
+    threads: bool,
     /// Where to put every picture, as PNG.
     #[arg(long)]
     pictures: Option<PathBuf>,
@@ -42,6 +45,34 @@ fn size(text: &str) -> Result<Size, String> {
     }
 }
 
+impl Arguments {
+    fn wants(&self, scene: &Scene) -> bool {
+        self.scenes.is_empty() || self.scenes.iter().any(|name| name == scene.name)
+    }
+}
+
+/// One thread against all.
+fn threads(arguments: &Arguments, models: Option<&Path>) -> anyhow::Result<()> {
+    let cores = std::thread::available_parallelism()?.get();
+    let mut rows = Vec::new();
+    for &size in &arguments.sizes {
+        for scene in scene::scenes(size, models)? {
+            if arguments.wants(&scene) {
+                let gain = measure::threads(&scene, size, cores, arguments.rounds)?;
+                println!(
+                    "{}x{} {} by {cores} threads: x{gain:.2}",
+                    size.width, size.height, scene.name
+                );
+                rows.push((size, scene.name, gain));
+            }
+        }
+    }
+    if let Some(page) = &arguments.figures {
+        figures::write_threads(page, cores, &rows)?;
+    }
+    Ok(())
+}
+
 fn main() -> anyhow::Result<()> {
     let arguments = Arguments::parse();
     // llvmpipe on the thread that calls it: one core, like the others.
@@ -50,11 +81,14 @@ fn main() -> anyhow::Result<()> {
     if models.is_none() {
         eprintln!("peers: MICRORASTER_MODELS names no folder: the bunny is left out");
     }
+    if arguments.threads {
+        return threads(&arguments, models.as_deref());
+    }
     let mut comparisons: Vec<(Size, Vec<Comparison>)> = Vec::new();
     for &size in &arguments.sizes {
         let mut rows = Vec::new();
         for scene in scene::scenes(size, models.as_deref())? {
-            if arguments.scenes.is_empty() || arguments.scenes.iter().any(|s| s == scene.name) {
+            if arguments.wants(&scene) {
                 let comparison = measure::compare(&scene, size, arguments.rounds);
                 println!("{}", figures::line(size, &comparison));
                 if let Some(folder) = &arguments.pictures {

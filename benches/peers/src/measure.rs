@@ -3,7 +3,9 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use crate::renderers::{Renderer, RENDERERS};
+use anyhow::Context;
+
+use crate::renderers::{make_threaded, Renderer, RENDERERS};
 use crate::scene::{Rgb, Scene, Size};
 
 /// What a renderer did with a scene.
@@ -46,6 +48,25 @@ pub(crate) fn compare(scene: &Scene, size: Size, rounds: usize) -> Comparison {
         Result { renderer, time, different: difference(&ours, &picture), picture }
     });
     Comparison { scene: scene.name, results: results.collect() }
+}
+
+/// How many times faster so many threads are than one; their pictures must be the same.
+pub(crate) fn threads(
+    scene: &Scene,
+    size: Size,
+    threads: usize,
+    rounds: usize,
+) -> anyhow::Result<f64> {
+    let mut one = RENDERERS[0].1(scene, size).context("this crate draws all scenes")?;
+    let mut all = make_threaded(scene, size, threads)?;
+    let mut least = [Duration::MAX; 2];
+    for _ in 0..rounds {
+        for (renderer, least) in [&mut one, &mut all].into_iter().zip(&mut least) {
+            *least = round(renderer.as_mut(), scene.frames()).min(*least);
+        }
+    }
+    anyhow::ensure!(one.picture() == all.picture(), "{}: pictures differ", scene.name);
+    Ok(least[0].as_secs_f64() / least[1].as_secs_f64())
 }
 
 /// The time to draw all frames; clears excluded.

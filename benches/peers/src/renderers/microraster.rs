@@ -1,10 +1,11 @@
 //! This crate: meshes quantised to 16 bits an axis.
 
+use microraster::host::ParallelBands;
 use microraster::math::{Angle, Mat4, Vec3};
 use microraster::texture::{Sampler, Texture};
 use microraster::{
-    normal, Camera, Color, Cull, Flat, Frame, Gouraud, Lambert, Less, Light, Mesh, Normal, Pass,
-    Rgb as Channels, Rgb565, Textured, VertexCache,
+    normal, Camera, Color, Cull, DepthBuffer, Flat, Frame, Gouraud, Lambert, Less, Light, Mesh,
+    Normal, Pass, Rgb as Channels, Rgb565, Textured, VertexCache,
 };
 
 use super::Renderer;
@@ -19,7 +20,8 @@ enum Attributes {
     Textured(Vec<((), [i16; 2])>),
 }
 
-struct Ready {
+/// A scene in this crate's form.
+struct Drawing {
     scene: Scene,
     positions: Vec<[i16; 3]>,
     indices: Vec<u16>,
@@ -28,10 +30,23 @@ struct Ready {
     attributes: Attributes,
     /// Nothing for the mesh without attributes.
     nothing: Vec<()>,
+}
+
+/// Enough for every vertex of the largest mesh.
+type Cache = VertexCache<Color, 2048>;
+
+struct Ready {
+    drawing: Drawing,
     size: microraster::Size,
     pixels: Vec<u16>,
     depth: Vec<u16>,
-    cache: Box<VertexCache<Color, 2048>>,
+    cache: Box<Cache>,
+}
+
+/// The same by threads.
+struct Threaded {
+    ready: Ready,
+    pool: rayon::ThreadPool,
 }
 
 fn channels([red, green, blue]: Rgb) -> Channels {
@@ -40,6 +55,20 @@ fn channels([red, green, blue]: Rgb) -> Channels {
 
 /// Always ready.
 pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
+    Some(Box::new(ready(scene, size)))
+}
+
+/// The same in bands, by so many threads.
+pub(crate) fn make_threaded(
+    scene: &Scene,
+    size: Size,
+    threads: usize,
+) -> anyhow::Result<Box<dyn Renderer>> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    Ok(Box::new(Threaded { ready: ready(scene, size), pool }))
+}
+
+fn ready(scene: &Scene, size: Size) -> Ready {
     let bound = |axis: usize, choose: fn(f32, f32) -> f32| {
         scene.positions.iter().map(|p| p[axis]).reduce(choose).unwrap_or(0.0)
     };
@@ -64,19 +93,22 @@ pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
             places.iter().map(|place| ((), place.map(|c| (c * 4096.0) as i16))).collect(),
         ),
     };
-    Some(Box::new(Ready {
+    let drawing = Drawing {
         positions: scene.positions.iter().map(quantised).collect(),
         indices: scene.triangles.iter().flatten().map(|&index| index as u16).collect(),
         scale: Vec3::new(step(0), step(1), step(2)),
         offset: Vec3::new(middle(0), middle(1), middle(2)),
         attributes,
         nothing: vec![(); scene.positions.len()],
+        scene: scene.clone(),
+    };
+    Ready {
+        drawing,
         size: microraster::Size::new(size.width, size.height),
         pixels: vec![0; size.pixels()],
         depth: vec![0; size.pixels()],
         cache: Box::new(VertexCache::new()),
-        scene: scene.clone(),
-    }))
+    }
 }
 
 /// Columns of a matrix that is given by rows.
@@ -84,23 +116,18 @@ fn transposed(rows: &scene::Matrix) -> [[f32; 4]; 4] {
     core::array::from_fn(|column| core::array::from_fn(|row| rows[row][column]))
 }
 
-impl Renderer for Ready {
-    fn clear(&mut self) {
-        if let Ok(frame) = Frame::<Rgb565>::new(&mut self.pixels, self.size) {
-            if let Ok(mut frame) = frame.with_depth(&mut self.depth) {
-                frame.clear(Channels::BLACK);
-            }
-        }
-    }
-
-    fn draw(&mut self, number: usize) {
+impl Drawing {
+    fn draw(
+        &self,
+        frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>,
+        number: usize,
+        cache: &mut Cache,
+    ) {
         let camera = Camera::perspective(Angle::from_degrees(scene::FIELD_OF_VIEW), scene::NEAR);
         let [x, y, z, w] = transposed(&self.scene.model_view(number))
             .map(|[x, y, z, w]| microraster::math::Vec4::new(x, y, z, w));
         let model = Mat4 { x, y, z, w };
-        let Self { positions, indices, pixels, depth, .. } = self;
-        let Ok(frame) = Frame::<Rgb565>::new(pixels, self.size) else { return };
-        let Ok(mut frame) = frame.with_depth(depth) else { return };
+        let Self { positions, indices, .. } = self;
         let placed = (self.scale, self.offset);
         let pass = Pass::new(&camera);
         match &self.attributes {
@@ -108,21 +135,21 @@ impl Renderer for Ready {
                 let mesh = Mesh::new(positions, &self.nothing).indexed(indices);
                 let mesh = mesh.placed(placed.0, placed.1);
                 if self.scene.depth {
-                    pass.depth(Less).draw(&mut frame, &model, &mesh, &Flat::solid(*color));
+                    pass.depth(Less).draw(frame, &model, &mesh, &Flat::solid(*color));
                 } else {
                     let mut pass = pass;
-                    pass.draw(&mut frame, &model, &mesh, &Flat::solid(*color));
+                    pass.draw(frame, &model, &mesh, &Flat::solid(*color));
                 }
             }
             Attributes::Smooth(colors) => {
                 let mesh = Mesh::new(positions, colors).indexed(indices).placed(placed.0, placed.1);
-                pass.depth(Less).draw(&mut frame, &model, &mesh, &Gouraud::colored());
+                pass.depth(Less).draw(frame, &model, &mesh, &Gouraud::colored());
             }
             Attributes::Faces(colors) => {
                 let mesh = Mesh::new(positions, colors).by_face().indexed(indices);
                 let mesh = mesh.placed(placed.0, placed.1);
-                let (shader, cache) = (Flat::colored(), &mut *self.cache);
-                pass.depth(Less).draw_cached(&mut frame, &model, &mesh, &shader, cache);
+                let shader = Flat::colored();
+                pass.depth(Less).draw_cached(frame, &model, &mesh, &shader, cache);
             }
             Attributes::Lit { normals, smooth } => {
                 let grey = |part: f32| {
@@ -136,11 +163,11 @@ impl Renderer for Ready {
                     .material(channels(scene::MATERIAL));
                 let mesh =
                     Mesh::new(positions, normals).indexed(indices).placed(placed.0, placed.1);
-                let (mut pass, cache) = (pass.depth(Less).cull(Cull::Back), &mut *self.cache);
+                let mut pass = pass.depth(Less).cull(Cull::Back);
                 if *smooth {
-                    pass.draw_cached(&mut frame, &model, &mesh, &Gouraud::new(light), cache);
+                    pass.draw_cached(frame, &model, &mesh, &Gouraud::new(light), cache);
                 } else {
-                    pass.draw_cached(&mut frame, &model, &mesh, &Flat::new(light), cache);
+                    pass.draw_cached(frame, &model, &mesh, &Flat::new(light), cache);
                 }
             }
             Attributes::Textured(places) => {
@@ -150,12 +177,53 @@ impl Renderer for Ready {
                 };
                 let Ok(sampler) = Sampler::nearest(texture) else { return };
                 let mesh = Mesh::new(positions, places).indexed(indices).placed(placed.0, placed.1);
-                pass.depth(Less).draw(&mut frame, &model, &mesh, &Textured::new(sampler));
+                pass.depth(Less).draw(frame, &model, &mesh, &Textured::new(sampler));
+            }
+        }
+    }
+}
+
+impl Renderer for Ready {
+    fn clear(&mut self) {
+        if let Ok(frame) = Frame::<Rgb565>::new(&mut self.pixels, self.size) {
+            if let Ok(mut frame) = frame.with_depth(&mut self.depth) {
+                frame.clear(Channels::BLACK);
+            }
+        }
+    }
+
+    fn draw(&mut self, number: usize) {
+        let Self { drawing, size, pixels, depth, cache } = self;
+        if let Ok(frame) = Frame::<Rgb565>::new(pixels, *size) {
+            if let Ok(mut frame) = frame.with_depth(depth) {
+                drawing.draw(&mut frame, number, cache);
             }
         }
     }
 
     fn picture(&mut self) -> Vec<Rgb> {
         self.pixels.iter().map(|&texel| scene::rgb(texel)).collect()
+    }
+}
+
+impl Renderer for Threaded {
+    fn clear(&mut self) {
+        self.ready.clear();
+    }
+
+    fn draw(&mut self, number: usize) {
+        let Ready { drawing, size, pixels, depth, .. } = &mut self.ready;
+        // Four bands a thread: some have more to draw than others.
+        let rows = usize::from(size.height).div_ceil(4 * self.pool.current_num_threads());
+        self.pool.install(|| {
+            if let Ok(bands) = ParallelBands::<Rgb565>::new(pixels, depth, *size) {
+                let bands = bands.rows(rows as u16);
+                bands.draw(|frame| drawing.draw(frame, number, &mut Cache::new()));
+            }
+        });
+    }
+
+    fn picture(&mut self) -> Vec<Rgb> {
+        self.ready.picture()
     }
 }

@@ -8,6 +8,7 @@ mod microraster;
 mod retrofire;
 mod tiny_skia;
 
+pub(crate) use self::microraster::make_threaded;
 use crate::scene::{Rgb, Scene, Size};
 
 /// A scene made ready in a renderer's own form.

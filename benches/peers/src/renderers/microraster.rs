@@ -213,11 +213,8 @@ impl Renderer for Threaded {
 
     fn draw(&mut self, number: usize) {
         let Ready { drawing, size, pixels, depth, .. } = &mut self.ready;
-        // Four bands a thread: some have more to draw than others.
-        let rows = usize::from(size.height).div_ceil(4 * self.pool.current_num_threads());
         self.pool.install(|| {
             if let Ok(bands) = ParallelBands::<Rgb565>::new(pixels, depth, *size) {
-                let bands = bands.rows(rows as u16);
                 bands.draw(|frame| drawing.draw(frame, number, &mut Cache::new()));
             }
         });

@@ -4,8 +4,7 @@ use std::path::Path;
 
 use anyhow::Context;
 
-use crate::measure::Comparison;
-use crate::renderers::RENDERERS;
+use crate::measure::{renderers, Comparison};
 use crate::scene::Size;
 
 /// How many times our time another took: above 1 where we are faster.
@@ -62,7 +61,7 @@ fn replace(page: &Path, name: &str, table: &str) -> anyhow::Result<()> {
 
 /// A row for every scene and size, a column for every renderer but ours.
 fn table(all: &[(Size, Vec<Comparison>)], cell: impl Fn((f64, f64)) -> String) -> String {
-    let names: Vec<_> = RENDERERS.iter().skip(1).map(|(name, _)| *name).collect();
+    let names: Vec<_> = renderers().skip(1).map(|(name, _)| name).collect();
     let mut table = format!("| | at | {} |\n", names.join(" | "));
     table += &format!("| --- | ---: |{}\n", " ---: |".repeat(names.len()));
     for (size, comparisons) in all {

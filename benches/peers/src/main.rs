@@ -1,18 +1,23 @@
 //! Draws the measured scenes with this crate and with others, in one run, and compares time and
 //! pictures. Nothing of it reaches users of the crate: it is a package of its own.
 
+extern crate alloc;
+
 mod figures;
+mod llvmpipe;
 mod measure;
+mod model;
 mod renderers;
 mod scene;
+mod threaded;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::Context;
 use clap::Parser;
 
 use measure::Comparison;
-use scene::{Scene, Size};
+use scene::{Mesh, Scene, Size};
 
 /// Draws the measured scenes with other renderers too, and compares.
 #[derive(Debug, Parser)]
@@ -52,11 +57,11 @@ impl Arguments {
 }
 
 /// One thread against all.
-fn threads(arguments: &Arguments, models: Option<&Path>) -> anyhow::Result<()> {
+fn threads(arguments: &Arguments, bunny: Option<&Mesh>) -> anyhow::Result<()> {
     let cores = std::thread::available_parallelism()?.get();
     let mut rows = Vec::new();
     for &size in &arguments.sizes {
-        for scene in scene::scenes(size, models)? {
+        for scene in scene::scenes(size, bunny) {
             if arguments.wants(&scene) {
                 let gain = measure::threads(&scene, size, cores, arguments.rounds)?;
                 println!(
@@ -77,17 +82,21 @@ fn main() -> anyhow::Result<()> {
     let arguments = Arguments::parse();
     // llvmpipe on the thread that calls it: one core, like the others.
     std::env::set_var("LP_NUM_THREADS", "0");
-    let models = std::env::var_os("MICRORASTER_MODELS").map(PathBuf::from);
-    if models.is_none() {
-        eprintln!("peers: MICRORASTER_MODELS names no folder: the bunny is left out");
-    }
+    let bunny = match std::env::var_os("MICRORASTER_MODELS").map(PathBuf::from) {
+        Some(models) => Some(model::read(&models.join("obj/bunny-npm/bunny.obj"))?),
+        None => {
+            eprintln!("peers: MICRORASTER_MODELS names no folder: the bunny is left out");
+            None
+        }
+    };
+    let bunny = bunny.as_ref();
     if arguments.threads {
-        return threads(&arguments, models.as_deref());
+        return threads(&arguments, bunny);
     }
     let mut comparisons: Vec<(Size, Vec<Comparison>)> = Vec::new();
     for &size in &arguments.sizes {
         let mut rows = Vec::new();
-        for scene in scene::scenes(size, models.as_deref())? {
+        for scene in scene::scenes(size, bunny) {
             if arguments.wants(&scene) {
                 let comparison = measure::compare(&scene, size, arguments.rounds);
                 println!("{}", figures::line(size, &comparison));

@@ -5,8 +5,9 @@ use std::time::{Duration, Instant};
 
 use anyhow::Context;
 
-use crate::renderers::{make_threaded, Renderer, RENDERERS};
+use crate::renderers::{difference, Make, Renderer, RENDERERS};
 use crate::scene::{Rgb, Scene, Size};
+use crate::{llvmpipe, threaded};
 
 /// What a renderer did with a scene.
 #[derive(Debug)]
@@ -14,7 +15,7 @@ pub(crate) struct Result {
     pub(crate) renderer: &'static str,
     /// The least time of all frames of a round.
     pub(crate) time: Duration,
-    /// Pixels, of a thousand, that differ from ours by more than [`TOLERANCE`]; of the last frame.
+    /// Pixels, of a thousand, that differ from ours by more than [`TOLERANCE`](crate::renderers::TOLERANCE); of the last frame.
     pub(crate) different: f64,
     picture: Vec<Rgb>,
 }
@@ -26,8 +27,11 @@ pub(crate) struct Comparison {
     pub(crate) results: Vec<Result>,
 }
 
-/// Of 255: two steps of a channel of five bits, since not all round or interpolate alike.
-pub(crate) const TOLERANCE: u8 = 17;
+/// All renderers of the host, ours first.
+pub(crate) fn renderers() -> impl Iterator<Item = (&'static str, Make)> {
+    let [ours, others @ ..] = RENDERERS;
+    [ours, ("llvmpipe", llvmpipe::make)].into_iter().chain(others)
+}
 
 /// Draws a scene with every renderer in turn, so many times.
 pub(crate) fn compare(scene: &Scene, size: Size, rounds: usize) -> Comparison {
@@ -58,7 +62,7 @@ pub(crate) fn threads(
     rounds: usize,
 ) -> anyhow::Result<f64> {
     let mut one = RENDERERS[0].1(scene, size).context("this crate draws all scenes")?;
-    let mut all = make_threaded(scene, size, threads)?;
+    let mut all = threaded::make(scene, size, threads)?;
     let mut least = [Duration::MAX; 2];
     for _ in 0..rounds {
         for (renderer, least) in [&mut one, &mut all].into_iter().zip(&mut least) {
@@ -81,13 +85,6 @@ fn round(renderer: &mut dyn Renderer, frames: usize) -> Duration {
     time
 }
 
-fn difference(ours: &[Rgb], theirs: &[Rgb]) -> f64 {
-    let pairs = ours.iter().zip(theirs);
-    let different =
-        pairs.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > TOLERANCE));
-    1000.0 * different.count() as f64 / ours.len() as f64
-}
-
 impl Comparison {
     /// Writes every renderer's picture of the last frame.
     pub(crate) fn save(&self, folder: &Path, size: Size) -> anyhow::Result<()> {
@@ -105,6 +102,7 @@ impl Comparison {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::renderers::TOLERANCE;
     use crate::scene::scenes;
 
     /// Renderers whose corners keep fractions of pixels, which have the same picture but for
@@ -114,7 +112,7 @@ mod tests {
     #[test]
     fn renderers_of_fine_corners_draw_the_same_pictures() {
         let size = Size { width: 160, height: 120 };
-        for scene in scenes(size, None).expect("bundled scenes need no file") {
+        for scene in scenes(size, None) {
             // Of the grid's diagonals, which go through pixel centres, see the page.
             if scene.name == "S1" {
                 continue;

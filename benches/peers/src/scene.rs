@@ -1,6 +1,9 @@
 //! The scenes, in floats: what every renderer is handed, and turns into its own form beforehand.
+//!
+//! The board's program includes this file too: no operating system is needed for anything here.
 
-use anyhow::Context;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// The picture's sides in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,7 +103,7 @@ pub(crate) fn product(a: &Matrix, b: &Matrix) -> Matrix {
 
 /// From the eye's space (looking along -z) to clip space as OpenGL has it.
 pub(crate) fn projection(size: Size) -> Matrix {
-    let y = 1.0 / (FIELD_OF_VIEW.to_radians() / 2.0).tan();
+    let y = 1.0 / libm::tanf(FIELD_OF_VIEW.to_radians() / 2.0);
     let depth = NEAR - FAR;
     [
         [y / size.aspect(), 0.0, 0.0, 0.0],
@@ -115,7 +118,7 @@ impl Scene {
     pub(crate) fn model_view(&self, frame: usize) -> Matrix {
         let (angle, away) =
             if self.turns { (22.5_f32 * frame as f32, DISTANCE) } else { (0.0, 0.0) };
-        let (sin, cos) = angle.to_radians().sin_cos();
+        let (sin, cos) = libm::sincosf(angle.to_radians());
         [[cos, 0.0, sin, 0.0], [0.0, 1.0, 0.0, 0.0], [-sin, 0.0, cos, -away], [0.0, 0.0, 0.0, 1.0]]
     }
 
@@ -130,7 +133,7 @@ impl Scene {
 
     /// The direction to the light in the mesh's space, of length 1.
     pub(crate) fn to_light(&self, frame: usize) -> [f32; 3] {
-        let length = SUN.iter().map(|c| c * c).sum::<f32>().sqrt();
+        let length = libm::sqrtf(SUN.iter().map(|c| c * c).sum());
         let model_view = self.model_view(frame);
         core::array::from_fn(|column| {
             (0..3).map(|row| model_view[row][column] * -SUN[row] / length).sum()
@@ -147,10 +150,10 @@ fn scene(
     Scene { name, positions, triangles, shading, depth: true, culled: false, turns: false }
 }
 
-/// The scenes; meshes other than the teapot are read from a folder.
-pub(crate) fn scenes(size: Size, models: Option<&std::path::Path>) -> anyhow::Result<Vec<Scene>> {
+/// The scenes; those of the bunny where there is one.
+pub(crate) fn scenes(size: Size, bunny: Option<&Mesh>) -> Vec<Scene> {
     // Half the height of the screen at distance 2, and 0.2 % more.
-    let half = 2.0 * (FIELD_OF_VIEW.to_radians() / 2.0).tan();
+    let half = 2.0 * libm::tanf(FIELD_OF_VIEW.to_radians() / 2.0);
     let (x, y) = (half * size.aspect() * 1.002, half * 1.002);
     let quad = || vec![[-x, -y, -2.0], [x, -y, -2.0], [x, y, -2.0], [-x, y, -2.0]];
     let two = || vec![[0, 1, 2], [0, 2, 3]];
@@ -166,12 +169,11 @@ pub(crate) fn scenes(size: Size, models: Option<&std::path::Path>) -> anyhow::Re
         scene("F4", leaning, two(), Shading::Textured(places)),
         grid(half * size.aspect(), half),
     ];
-    scenes.extend(lit("M1-teapot", "M2-teapot", teapot()));
-    if let Some(models) = models {
-        let path = models.join("obj/bunny-npm/bunny.obj");
-        scenes.extend(lit("M1-bunny", "M2-bunny", read(&path)?));
+    scenes.extend(lit("M1-teapot", "M2-teapot", &teapot()));
+    if let Some(bunny) = bunny {
+        scenes.extend(lit("M1-bunny", "M2-bunny", bunny));
     }
-    Ok(scenes)
+    scenes
 }
 
 /// 160x120 quads, each triangle in a colour of its own.
@@ -201,13 +203,13 @@ fn grid(x: f32, y: f32) -> Scene {
 }
 
 /// Positions, normals and triangles.
-type Mesh = (Vec<[f32; 3]>, Vec<[f32; 3]>, Vec<[usize; 3]>);
+pub(crate) type Mesh = (Vec<[f32; 3]>, Vec<[f32; 3]>, Vec<[usize; 3]>);
 
 /// A mesh in smooth and in flat shading, centred on its box and scaled to a height of 2.
 fn lit(
     smooth: &'static str,
     flat: &'static str,
-    (positions, normals, triangles): Mesh,
+    (positions, normals, triangles): &Mesh,
 ) -> [Scene; 2] {
     let bound = |axis: usize, choose: fn(f32, f32) -> f32| {
         positions.iter().map(|p| p[axis]).reduce(choose).unwrap_or(0.0)
@@ -239,32 +241,8 @@ fn teapot() -> Mesh {
     (positions, normals, triangles)
 }
 
-fn unit(v: [f32; 3]) -> [f32; 3] {
-    let length = v.iter().map(|c| c * c).sum::<f32>().sqrt();
+/// A vector of length 1.
+pub(crate) fn unit(v: [f32; 3]) -> [f32; 3] {
+    let length = libm::sqrtf(v.iter().map(|c| c * c).sum());
     v.map(|c| c / length)
-}
-
-/// A mesh without normals: a vertex gets the mean of its triangles' by their areas.
-fn read(path: &std::path::Path) -> anyhow::Result<Mesh> {
-    let what = || format!("{} could not be read as a mesh", path.display());
-    let options = tobj::LoadOptions { single_index: true, triangulate: true, ..Default::default() };
-    let (models, _) = tobj::load_obj(path, &options).with_context(what)?;
-    let mesh = &models.first().with_context(what)?.mesh;
-    let positions: Vec<[f32; 3]> =
-        mesh.positions.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
-    let triangles: Vec<[usize; 3]> =
-        mesh.indices.chunks_exact(3).map(|t| core::array::from_fn(|at| t[at] as usize)).collect();
-    let mut normals = vec![[0.0; 3]; positions.len()];
-    for triangle in &triangles {
-        let [a, b, c] = triangle.map(|index| positions[index]);
-        let side = |to: [f32; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
-        let (p, q) = (side(b), side(c));
-        for index in triangle {
-            normals[*index][0] += p[1] * q[2] - p[2] * q[1];
-            normals[*index][1] += p[2] * q[0] - p[0] * q[2];
-            normals[*index][2] += p[0] * q[1] - p[1] * q[0];
-        }
-    }
-    let normals = normals.into_iter().map(unit).collect();
-    Ok((positions, normals, triangles))
 }

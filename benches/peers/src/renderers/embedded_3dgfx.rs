@@ -5,6 +5,10 @@
 //! its own examples do; they are transformed here, since its engine drops a triangle with a corner
 //! beside the picture.
 
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
+
 use embedded_3dgfx::engine::K3dengine;
 use embedded_3dgfx::pipeline::assemble::primitive::DrawPrimitive;
 use embedded_3dgfx::pipeline::command_buffer::CommandBuffer;

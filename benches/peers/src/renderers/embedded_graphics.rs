@@ -1,5 +1,9 @@
 //! embedded-graphics: two dimensions, whole pixels, RGB565; neither depth nor a mesh.
 
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
+
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
@@ -78,7 +82,7 @@ pub(super) fn make(scene: &Scene, size: Sides) -> Option<Box<dyn Renderer>> {
         Shading::Faces(colors) => Some(colors[number]),
         _ => None,
     };
-    let point = |[x, y]: &[f32; 2]| Point::new(x.round() as i32, y.round() as i32);
+    let point = |[x, y]: &[f32; 2]| Point::new(libm::roundf(*x) as i32, libm::roundf(*y) as i32);
     let triangles = super::projected(scene, size);
     let triangles = triangles.iter().enumerate().map(|(number, [a, b, c])| {
         let color = Rgb565::from(RawU16::new(rgb565(color(number)?)));

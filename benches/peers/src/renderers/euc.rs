@@ -1,6 +1,9 @@
 //! euc: floats, bounding boxes, attributes by barycentric weights. Nothing is clipped at the near
 //! plane. It has no flat varyings, so that colours of triangles are those of their three vertices.
 
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+
 use euc::buffer::Buffer2d;
 use euc::rasterizer::{BackfaceCullingDisabled, BackfaceCullingEnabled, Triangles};
 use euc::{DepthStrategy, Pipeline, Target};

@@ -1,6 +1,9 @@
 //! This crate: meshes quantised to 16 bits an axis.
 
-use microraster::host::ParallelBands;
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
+
 use microraster::math::{Angle, Mat4, Vec3};
 use microraster::texture::{Sampler, Texture};
 use microraster::{
@@ -21,7 +24,7 @@ enum Attributes {
 }
 
 /// A scene in this crate's form.
-struct Drawing {
+pub(crate) struct Drawing {
     scene: Scene,
     positions: Vec<[i16; 3]>,
     indices: Vec<u16>,
@@ -33,20 +36,15 @@ struct Drawing {
 }
 
 /// Enough for every vertex of the largest mesh.
-type Cache = VertexCache<Color, 2048>;
+pub(crate) type Cache = VertexCache<Color, 2048>;
 
-struct Ready {
-    drawing: Drawing,
-    size: microraster::Size,
-    pixels: Vec<u16>,
-    depth: Vec<u16>,
+/// A scene in this crate's form, and what it is drawn into.
+pub(crate) struct Ready {
+    pub(crate) drawing: Drawing,
+    pub(crate) size: microraster::Size,
+    pub(crate) pixels: Vec<u16>,
+    pub(crate) depth: Vec<u16>,
     cache: Box<Cache>,
-}
-
-/// The same by threads.
-struct Threaded {
-    ready: Ready,
-    pool: rayon::ThreadPool,
 }
 
 fn channels([red, green, blue]: Rgb) -> Channels {
@@ -58,17 +56,8 @@ pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
     Some(Box::new(ready(scene, size)))
 }
 
-/// The same in bands, by so many threads.
-pub(crate) fn make_threaded(
-    scene: &Scene,
-    size: Size,
-    threads: usize,
-) -> anyhow::Result<Box<dyn Renderer>> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-    Ok(Box::new(Threaded { ready: ready(scene, size), pool }))
-}
-
-fn ready(scene: &Scene, size: Size) -> Ready {
+/// A scene in this crate's form, and what it is drawn into.
+pub(crate) fn ready(scene: &Scene, size: Size) -> Ready {
     let bound = |axis: usize, choose: fn(f32, f32) -> f32| {
         scene.positions.iter().map(|p| p[axis]).reduce(choose).unwrap_or(0.0)
     };
@@ -77,8 +66,9 @@ fn ready(scene: &Scene, size: Size) -> Ready {
     // Steps that 16 bits hold, and no fewer than a grid of halves needs to be exact.
     let step = |axis: usize| ((high[axis] - low[axis]) / 2.0 / 19_200.0).max(f32::MIN_POSITIVE);
     let middle = |axis: usize| (low[axis] + high[axis]) / 2.0;
-    let quantised =
-        |p: &[f32; 3]| [0, 1, 2].map(|axis| ((p[axis] - middle(axis)) / step(axis)).round() as i16);
+    let quantised = |p: &[f32; 3]| {
+        [0, 1, 2].map(|axis| libm::roundf((p[axis] - middle(axis)) / step(axis)) as i16)
+    };
     let attributes = match &scene.shading {
         Shading::Solid(color) => Attributes::Solid(channels(*color)),
         Shading::Smooth(colors) => {
@@ -117,7 +107,8 @@ fn transposed(rows: &scene::Matrix) -> [[f32; 4]; 4] {
 }
 
 impl Drawing {
-    fn draw(
+    /// Draws a frame.
+    pub(crate) fn draw(
         &self,
         frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>,
         number: usize,
@@ -203,24 +194,5 @@ impl Renderer for Ready {
 
     fn picture(&mut self) -> Vec<Rgb> {
         self.pixels.iter().map(|&texel| scene::rgb(texel)).collect()
-    }
-}
-
-impl Renderer for Threaded {
-    fn clear(&mut self) {
-        self.ready.clear();
-    }
-
-    fn draw(&mut self, number: usize) {
-        let Ready { drawing, size, pixels, depth, .. } = &mut self.ready;
-        self.pool.install(|| {
-            if let Ok(bands) = ParallelBands::<Rgb565>::new(pixels, depth, *size) {
-                bands.draw(|frame| drawing.draw(frame, number, &mut Cache::new()));
-            }
-        });
-    }
-
-    fn picture(&mut self) -> Vec<Rgb> {
-        self.ready.picture()
     }
 }

@@ -1,14 +1,15 @@
-//! The renderers: each draws those scenes that it can.
+//! The renderers: each draws those scenes that it can. The board's program includes them too.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
 
 mod embedded_3dgfx;
 mod embedded_graphics;
 mod euc;
-mod llvmpipe;
-mod microraster;
+pub(crate) mod microraster;
 mod retrofire;
 mod tiny_skia;
 
-pub(crate) use self::microraster::make_threaded;
 use crate::scene::{Rgb, Scene, Size};
 
 /// A scene made ready in a renderer's own form.
@@ -24,16 +25,26 @@ pub(crate) trait Renderer {
 /// A way of making a scene ready; `None` where the renderer does not offer what it needs.
 pub(crate) type Make = fn(&Scene, Size) -> Option<Box<dyn Renderer>>;
 
-/// All renderers, ours first.
-pub(crate) const RENDERERS: [(&str, Make); 7] = [
+/// All that run everywhere, ours first.
+pub(crate) const RENDERERS: [(&str, Make); 6] = [
     ("microraster", microraster::make),
-    ("llvmpipe", llvmpipe::make),
     ("retrofire", retrofire::make),
     ("embedded-3dgfx", embedded_3dgfx::make),
     ("euc", euc::make),
     ("embedded-graphics", embedded_graphics::make),
     ("tiny-skia", tiny_skia::make),
 ];
+
+/// Of 255: two steps of a channel of five bits, since not all round or interpolate alike.
+pub(crate) const TOLERANCE: u8 = 17;
+
+/// Pixels, of a thousand, that differ by more than [`TOLERANCE`].
+pub(crate) fn difference(ours: &[Rgb], theirs: &[Rgb]) -> f64 {
+    let pairs = ours.iter().zip(theirs);
+    let different =
+        pairs.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > TOLERANCE));
+    1000.0 * different.count() as f64 / ours.len() as f64
+}
 
 /// The light on a normal: a grey from ambient to full.
 pub(crate) fn light(normal: [f32; 3], to_light: [f32; 3]) -> f32 {

@@ -3,6 +3,9 @@
 //! It has no flat varyings, so that colours of triangles are those of three vertices of their own.
 //! Varyings are floats: three of colour, two of a texture.
 
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+
 use retrofire_core::geom::{tri, vertex, Tri, Vertex};
 use retrofire_core::math::mat::RealToReal;
 use retrofire_core::math::{pt2, pt3, rgb, Color3f, Mat4, Point3, ProjMat3};

@@ -1,5 +1,8 @@
 //! tiny-skia: two dimensions, RGBA; neither depth nor a mesh. Triangles are paths in one colour.
 
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+
 use tiny_skia::{Color, FillRule, Paint, PathBuilder, Pixmap, Transform};
 
 use super::Renderer;

@@ -5,7 +5,7 @@
 use glow::HasContext;
 use khronos_egl as egl;
 
-use super::Renderer;
+use crate::renderers::Renderer;
 use crate::scene::{self, Rgb, Scene, Shading, Size, SIDE, TEXELS};
 
 /// A platform without displays (`EGL_MESA_platform_surfaceless`).
@@ -60,7 +60,7 @@ struct Ready {
 }
 
 /// All scenes, where there is a driver.
-pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
+pub(crate) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
     // SAFETY: the library is EGL's own, and the context is current while it is used.
     unsafe { ready(scene, size) }.map(|ready| Box::new(ready) as Box<dyn Renderer>)
 }

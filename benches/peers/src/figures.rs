@@ -4,7 +4,9 @@ use std::path::Path;
 
 use anyhow::Context;
 
+use crate::board_run::Count;
 use crate::measure::{renderers, Comparison};
+use crate::renderers::RENDERERS;
 use crate::scene::Size;
 
 /// How many times our time another took: above 1 where we are faster.
@@ -44,6 +46,50 @@ pub(crate) fn write_threads(
         table += &format!("| {scene} | {}x{} | {gain:.2} |\n", size.width, size.height);
     }
     replace(page, "threads", &table)
+}
+
+/// Pixels of the picture on the board.
+const PIXELS: f64 = 320.0 * 240.0;
+
+/// Instructions by pixel of the picture (F), by triangle (S) or by frame (M).
+pub(crate) fn board_table(counts: &[Count]) -> String {
+    let names: Vec<_> = RENDERERS.iter().map(|(name, _)| *name).collect();
+    let mut table = format!("| | a | {} |\n", names.join(" | "));
+    table += &format!("| --- | --- |{}\n", " ---: |".repeat(names.len()));
+    let mut scenes: Vec<&str> = counts.iter().map(|count| count.scene.as_str()).collect();
+    scenes.dedup();
+    for scene in scenes {
+        let of = |name: &str| counts.iter().find(|c| c.scene == scene && c.renderer == name);
+        let kind = match scene.as_bytes().first() {
+            Some(b'F') => "pixel",
+            Some(b'S') => "triangle",
+            _ => "frame",
+        };
+        table += &format!("| {scene} | {kind} |");
+        for name in &names {
+            let cell = of(name).map(|count| {
+                let figure = match kind {
+                    "pixel" => format!("{:.2}", count.instructions / PIXELS),
+                    "triangle" => format!("{:.0}", count.instructions / count.triangles),
+                    _ => format!("{:.2} M", count.instructions / 1e6),
+                };
+                // A picture of which a tenth is otherwise is another scene's.
+                if count.different < 100.0 {
+                    figure
+                } else {
+                    format!("{figure} \\*")
+                }
+            });
+            table += &format!(" {} |", cell.unwrap_or_default());
+        }
+        table.push('\n');
+    }
+    table
+}
+
+/// Writes the table of the board anew.
+pub(crate) fn write_board(page: &Path, counts: &[Count]) -> anyhow::Result<()> {
+    replace(page, "peers-board", &board_table(counts))
 }
 
 /// Puts a table between its marks.

@@ -3,6 +3,15 @@
 
 extern crate alloc;
 
+#[path = "../../../src/bin/microraster/firmware/board.rs"]
+#[allow(dead_code, reason = "one board of many")]
+mod board;
+mod board_run;
+#[path = "../../../src/bin/microraster/firmware/build.rs"]
+#[allow(dead_code, reason = "one kind of build of many")]
+mod build;
+#[path = "../../../src/bin/microraster/firmware/emulate.rs"]
+mod emulate;
 mod figures;
 mod llvmpipe;
 mod measure;
@@ -34,6 +43,9 @@ struct Arguments {
     /// Measures this crate alone, by one thread and by as many as there are cores.
     #[arg(long)]
     threads: bool,
+    /// Counts instructions on Cortex-M4F under QEMU instead, of those that run there.
+    #[arg(long, conflicts_with_all = ["threads", "pictures", "scenes", "sizes"])]
+    board: bool,
     /// Where to put every picture, as PNG.
     #[arg(long)]
     pictures: Option<PathBuf>,
@@ -82,6 +94,14 @@ fn main() -> anyhow::Result<()> {
     let arguments = Arguments::parse();
     // llvmpipe on the thread that calls it: one core, like the others.
     std::env::set_var("LP_NUM_THREADS", "0");
+    if arguments.board {
+        let counts = board_run::counts().map_err(anyhow::Error::msg)?;
+        println!("{}", figures::board_table(&counts));
+        return match &arguments.figures {
+            Some(page) => figures::write_board(page, &counts),
+            None => Ok(()),
+        };
+    }
     let bunny = match std::env::var_os("MICRORASTER_MODELS").map(PathBuf::from) {
         Some(models) => Some(model::read(&models.join("obj/bunny-npm/bunny.obj"))?),
         None => {

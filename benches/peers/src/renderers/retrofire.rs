@@ -37,9 +37,15 @@ struct Ready {
     size: Size,
     vertices: Vertices,
     triangles: Vec<Tri<usize>>,
+    /// Whether no triangles share a vertex.
+    own_vertices: bool,
     texture: Texture<Buf2<retrofire_core::math::Color3>>,
     target: Framebuf<Colorbuf<Buf2<u16>, Rgb565>, Buf2<f32>>,
 }
+
+/// Triangles with vertices of their own that are handed over at a time: it allocates several times
+/// what it is given.
+const AT_ONCE: usize = 1024;
 
 /// All scenes.
 pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
@@ -79,7 +85,7 @@ pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
         ),
     };
     let triangles = if own_vertices {
-        (0..scene.triangles.len()).map(|t| tri(3 * t, 3 * t + 1, 3 * t + 2)).collect()
+        (0..AT_ONCE).map(|t| tri(3 * t, 3 * t + 1, 3 * t + 2)).collect()
     } else {
         scene.triangles.iter().map(|&[a, b, c]| tri(a, b, c)).collect()
     };
@@ -93,6 +99,7 @@ pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
         size,
         vertices,
         triangles,
+        own_vertices,
         texture: Texture::from(Buf2::new_from(Dims(SIDE as u32, SIDE as u32), texels)),
         target: Framebuf { color_buf: Colorbuf::new(Buf2::new(dims)), depth_buf: Buf2::new(dims) },
     }))
@@ -135,11 +142,16 @@ impl Renderer for Ready {
                     },
                     |frag: Frag<Color3f>, _: &ProjMat3<Model>| frag.var.to_color4(),
                 );
-                if self.scene.depth {
-                    render(&*triangles, vertices, &shader, &matrix, to_screen, target, &context);
-                } else {
-                    let target = &mut target.color_buf;
-                    render(&*triangles, vertices, &shader, &matrix, to_screen, target, &context);
+                let at_once = if self.own_vertices { 3 * AT_ONCE } else { vertices.len() };
+                for vertices in vertices.chunks(at_once) {
+                    let all = if self.own_vertices { vertices.len() / 3 } else { triangles.len() };
+                    let triangles = &triangles[..all];
+                    if self.scene.depth {
+                        render(triangles, vertices, &shader, &matrix, to_screen, target, &context);
+                    } else {
+                        let target = &mut target.color_buf;
+                        render(triangles, vertices, &shader, &matrix, to_screen, target, &context);
+                    }
                 }
             }
             Vertices::Textured(vertices) => {

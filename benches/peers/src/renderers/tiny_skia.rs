@@ -9,7 +9,7 @@ use super::Renderer;
 use crate::scene::{Rgb, Scene, Shading, Size};
 
 struct Ready {
-    paths: Vec<(tiny_skia::Path, Paint<'static>)>,
+    triangles: Vec<([[f32; 2]; 3], Rgb)>,
     pixmap: Pixmap,
 }
 
@@ -20,20 +20,10 @@ pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
         Shading::Faces(colors) => Some(colors[number]),
         _ => None,
     };
-    let triangles = super::projected(scene, size);
-    let paths = triangles.iter().enumerate().map(|(number, [a, b, c])| {
-        let mut path = PathBuilder::new();
-        path.move_to(a[0], a[1]);
-        path.line_to(b[0], b[1]);
-        path.line_to(c[0], c[1]);
-        path.close();
-        let [red, green, blue] = color(number)?;
-        let mut paint = Paint { anti_alias: false, ..Paint::default() };
-        paint.set_color_rgba8(red, green, blue, 255);
-        Some((path.finish()?, paint))
-    });
+    let triangles = super::projected(scene, size).into_iter().enumerate();
+    let triangles = triangles.map(|(number, triangle)| Some((triangle, color(number)?)));
     Some(Box::new(Ready {
-        paths: paths.collect::<Option<_>>()?,
+        triangles: triangles.collect::<Option<_>>()?,
         pixmap: Pixmap::new(size.width.into(), size.height.into())?,
     }))
 }
@@ -44,8 +34,23 @@ impl Renderer for Ready {
     }
 
     fn draw(&mut self, _: usize) {
-        for (path, paint) in &self.paths {
-            self.pixmap.fill_path(path, paint, FillRule::Winding, Transform::identity(), None);
+        let mut paint = Paint { anti_alias: false, ..Paint::default() };
+        for ([a, b, c], [red, green, blue]) in &self.triangles {
+            let mut path = PathBuilder::new();
+            path.move_to(a[0], a[1]);
+            path.line_to(b[0], b[1]);
+            path.line_to(c[0], c[1]);
+            path.close();
+            paint.set_color_rgba8(*red, *green, *blue, 255);
+            if let Some(path) = path.finish() {
+                self.pixmap.fill_path(
+                    &path,
+                    &paint,
+                    FillRule::Winding,
+                    Transform::identity(),
+                    None,
+                );
+            }
         }
     }
 

@@ -12,6 +12,8 @@ pub(crate) struct House {
     pub(crate) package: PathBuf,
     /// Cargo's target folder.
     pub(crate) target: PathBuf,
+    /// What of the standard library is built where the target's is not installed.
+    pub(crate) libraries: &'static str,
 }
 
 /// Where Debian keeps its compiler; rustup's may come first on the path.
@@ -50,7 +52,7 @@ impl House {
         }
         let target = std::env::var_os("CARGO_TARGET_DIR")
             .map_or_else(|| package.join("target"), |folder| package.join(PathBuf::from(folder)));
-        Ok(Self { package, target })
+        Ok(Self { package, target, libraries: "core" })
     }
 
     /// The folder for finished firmware and what it reads, made when missing.
@@ -131,6 +133,22 @@ impl House {
         self.cargo(target, "", &["--lib", "--"]).map(|_| ())
     }
 
+    /// Builds the package's program for a board, with more `options` for the compiler.
+    ///
+    /// # Errors
+    /// No compiler for the target, or the build failed.
+    #[allow(dead_code, reason = "for packages of firmware, which this one is not")]
+    pub(crate) fn program(
+        &self,
+        name: &str,
+        board: &Board,
+        options: &[&str],
+    ) -> Result<PathBuf, String> {
+        let mut arguments = vec!["--bin", name, "--"];
+        arguments.extend(options);
+        Ok(self.cargo(board.target, "", &arguments)?.join(name))
+    }
+
     /// Runs `cargo rustc --release` with `arguments`, which contain a `--`; returns the folder
     /// that the result lies in.
     fn cargo(&self, target: &str, feature: &str, arguments: &[&str]) -> Result<PathBuf, String> {
@@ -158,7 +176,7 @@ impl House {
             command
                 .env("RUSTC", DEBIAN_RUSTC)
                 .env("RUSTC_BOOTSTRAP", "1")
-                .env("CARGO_UNSTABLE_BUILD_STD", "core")
+                .env("CARGO_UNSTABLE_BUILD_STD", self.libraries)
                 .arg("-C")
                 .arg(format!("linker={linker}"));
         }

@@ -1,8 +1,8 @@
-use super::projected::Projected;
+use super::projected::{flag, Projected};
 use crate::math::rolled;
 
-/// Set in a key when the vertex's attributes are made too.
-const SHADED: u32 = 1 << 31;
+/// The index of an empty slot: the last number there is, which no mesh has.
+const NONE: u32 = u32::MAX;
 
 /// Vertices that were transformed and shaded already, for up to `N` of them (a power of two).
 ///
@@ -33,9 +33,9 @@ pub struct VertexCache<C, const N: usize> {
 /// A vertex that was transformed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
-    /// The vertex's index plus 1, and whether its attributes are made too. An empty slot holds the
-    /// vertex with the last number there is, which no mesh has: key 0, and no valid vertex.
-    key: u32,
+    /// The vertex's index. An empty slot holds [`NONE`], and no valid vertex.
+    index: u32,
+    /// The vertex, marked as [`SHADED`](flag::SHADED) when its attributes are made too.
     pub(super) vertex: Projected,
 }
 
@@ -61,8 +61,8 @@ impl<C: Copy, const N: usize> VertexCache<C, N> {
     pub const fn with_blank(blank: C) -> Self {
         let () = Self::POWER_OF_TWO;
         // All zeros, so that a `static` takes no flash: `start` is what empties a slot.
-        let vertex = Projected { x: 0, y: 0, z: 0, flags: 0 };
-        Self { entries: [Entry { key: 0, vertex }; N], corners: [blank; N] }
+        let vertex = Projected::new(0, 0, 0, 0);
+        Self { entries: [Entry { index: 0, vertex }; N], corners: [blank; N] }
     }
 
     /// Forgets all vertices and lends the arrays out, without their length in the type.
@@ -70,7 +70,7 @@ impl<C: Copy, const N: usize> VertexCache<C, N> {
     pub(super) fn start(&mut self) -> CacheView<'_, C> {
         for at in rolled(N) {
             if let Some(entry) = self.entries.get_mut(at) {
-                (entry.key, entry.vertex.flags) = (0, Projected::INVALID.flags);
+                (entry.index, entry.vertex.z_flags) = (NONE, flag::INVALID);
             }
         }
         CacheView { entries: &mut self.entries, corners: &mut self.corners }
@@ -95,13 +95,13 @@ impl Entry {
     /// Whether this is the vertex.
     #[inline(always)]
     pub(super) fn holds(&self, index: u32) -> bool {
-        self.key & !SHADED == index.wrapping_add(1)
+        self.index == index
     }
 
     /// Keeps a vertex.
     #[inline(always)]
     pub(super) fn keep(&mut self, index: u32, vertex: Projected) {
-        *self = Self { key: index.wrapping_add(1), vertex };
+        *self = Self { index, vertex };
     }
 }
 
@@ -111,7 +111,7 @@ impl<C: Copy> CacheView<'_, C> {
     pub(super) fn corner(&self, index: u32) -> Option<C> {
         let slot = slot(index, self.entries.len());
         let (entry, corner) = (self.entries.get(slot)?, self.corners.get(slot)?);
-        (entry.key == index.wrapping_add(1) | SHADED).then_some(*corner)
+        (entry.holds(index) && entry.vertex.flags() & flag::SHADED != 0).then_some(*corner)
     }
 
     /// Keeps a vertex's attributes, unless another vertex of the same triangle took its slot.
@@ -121,7 +121,7 @@ impl<C: Copy> CacheView<'_, C> {
         if let (Some(entry), Some(place)) = (self.entries.get_mut(slot), self.corners.get_mut(slot))
         {
             if entry.holds(index) {
-                entry.key |= SHADED;
+                entry.vertex.z_flags |= flag::SHADED;
                 *place = corner;
             }
         }

@@ -1,6 +1,8 @@
 use super::assembly::{Assembly, Face, Positions};
 use super::cache::CacheView;
 use super::fill::{Access, Fill, Walk};
+use super::mapping::Mapping;
+use super::projected::Projected;
 use super::Clip;
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
@@ -26,6 +28,13 @@ impl<H: Shader> Positions for Draw<'_, H> {
     fn clip(&self, index: u32) -> Option<Clip> {
         let vertex = self.vertices.attributes.get(index as usize)?;
         self.shader.position(self.prepared, vertex)
+    }
+
+    fn projected(&self, index: u32, mapping: &Mapping) -> Projected {
+        match self.clip(index) {
+            Some(clip) => mapping.project_any(&clip),
+            None => Projected::INVALID,
+        }
     }
 }
 
@@ -73,11 +82,11 @@ impl<H: Shader> Draw<'_, H> {
                 face.covered = true;
                 let [a, b, c] = corners;
                 corners = assembly.fan.weights().map(|(u, v)| H::Varying::mix([&a, &b, &c], u, v));
-                if face.triangle.flipped {
-                    corners.swap(1, 2);
-                }
             } else {
                 state.counter().event(Event::Drawn);
+            }
+            if face.triangle.flipped {
+                corners.swap(1, 2);
             }
             Fill { triangle: &face.triangle, corners: &corners, provoking: &provoking }.draw(
                 frame,

@@ -3,7 +3,8 @@ use super::transform::Depth;
 use super::Clip;
 use crate::frame::Size;
 use crate::math::{
-    mul_high_31, mul_high_positive, mul_high_signed, reciprocal_of_some, Reciprocal,
+    inlined_reciprocal_of_some, mul_high_31, mul_high_positive, mul_high_signed,
+    reciprocal_of_some, Reciprocal,
 };
 use crate::raster::{ScreenVertex, GUARD, SUBPIXELS};
 
@@ -27,14 +28,31 @@ impl HalfSide {
         Self { mantissa: mantissa as i32, down: room.wrapping_sub(66) }
     }
 
-    /// v / w x half a side in subpixels, rounded to nearest; saturates far beyond the guard box.
+    /// Twice v / w x half a side in subpixels, rounded down; saturates far beyond the guard box.
     #[inline(always)]
     #[allow(clippy::cast_possible_wrap, reason = "mantissas are below 2^31")]
-    fn times(self, v: i32, over_w: Reciprocal) -> i32 {
-        let factor = mul_high_positive(over_w.mantissa as i32, self.mantissa);
+    fn twice(self, v: i32, over_w: Reciprocal) -> i32 {
         let down = self.down.wrapping_add(over_w.shift);
-        let (v, down) = if down < 32 { (v, down) } else { (raised(v, down.wrapping_neg()), 0) };
-        (mul_high_signed(v, factor as u32) >> down).wrapping_add(1) >> 1
+        if down < 32 {
+            return self.twice_easy(v, over_w);
+        }
+        let factor = mul_high_positive(over_w.mantissa as i32, self.mantissa);
+        mul_high_signed(raised(v, down.wrapping_neg()), factor as u32)
+    }
+
+    /// The same for a w of at least [`least_w`](Self::least_w).
+    #[inline(always)]
+    #[allow(clippy::cast_possible_wrap, reason = "mantissas are below 2^31")]
+    fn twice_easy(self, v: i32, over_w: Reciprocal) -> i32 {
+        let factor = mul_high_positive(over_w.mantissa as i32, self.mantissa);
+        mul_high_signed(v, factor as u32) >> (self.down.wrapping_add(over_w.shift) & 31)
+    }
+
+    /// The smallest w whose reciprocal's shift and [`down`](Self::down) are not negative together.
+    const fn least_w(self) -> i32 {
+        // 62 less the leading zeros of w is at least -down.
+        let zeros = self.down.wrapping_add(62);
+        1 << (31_u32.wrapping_sub(zeros) & 31)
     }
 }
 
@@ -57,6 +75,10 @@ pub(crate) struct Mapping {
     /// The viewport's size in pixels.
     size: Size,
     pub(super) depth: Depth,
+    /// From this w on a vertex between the sides of the view is projected without a question.
+    easy_w: i32,
+    /// What every vertex has: [`LARGE`](flag::LARGE) or nothing.
+    flags: u32,
 }
 
 /// How far from the viewport's centre a corner may lie, in subpixels.
@@ -69,18 +91,34 @@ const _: () = assert!((Clip::LIMIT as u32 - 1).leading_zeros() >= 2, "a shift by
 const _: () = assert!((DEPTHS as u64) << 14 < 1 << 31, "a factor of a high product");
 const _: () = assert!(2 + DEPTHS <= u16::MAX as u32, "depth codes");
 
+/// The pixels of the largest viewport in which twice the area of any triangle has 31 bits, and the
+/// longest side whose half 12.4 holds; both with room for rounding.
+const SMALL_AREA: u32 = 1 << 22;
+const SMALL_SIDE: u16 = 4094;
+
+const _: () = assert!(SMALL_AREA as i64 * 256 + 4096 * 64 < i32::MAX as i64, "areas");
+const _: () = assert!(SMALL_SIDE as i32 * 8 < i16::MAX as i32, "coordinates");
+
 impl Mapping {
     /// The mapping to a viewport of this size whose upper left corner is the pixel (`left`, `top`).
     pub(super) fn new(left: i32, top: i32, size: Size, depth: Depth) -> Self {
         // Sides are at most 8192 pixels, so that nothing here can overflow.
         let center = |from: i32, side: u16| from.wrapping_mul(16).wrapping_add(i32::from(side) * 8);
+        let Size { width, height } = size;
+        let half_width = HalfSide::new(width);
+        let half_height = HalfSide::new(height);
+        let is_large = u32::from(width).wrapping_mul(height.into()) > SMALL_AREA
+            || width.max(height) > SMALL_SIDE;
+        let easy_w = half_width.least_w().max(half_height.least_w()).max(depth.easy_w);
         Self {
-            half_width: HalfSide::new(size.width),
-            half_height: HalfSide::new(size.height),
-            center_x: center(left, size.width),
-            center_y: center(top, size.height),
+            half_width,
+            half_height,
+            center_x: center(left, width),
+            center_y: center(top, height),
             size,
             depth,
+            easy_w: if is_large { i32::MAX } else { easy_w },
+            flags: if is_large { flag::LARGE } else { 0 },
         }
     }
 
@@ -91,35 +129,53 @@ impl Mapping {
 
     /// Projects a vertex and says on which sides of the view it lies.
     ///
+    /// What lies in the view is projected in place; all else by [`project_any`](Self::project_any),
+    /// which gives the same.
+    ///
     /// # Cost
-    /// One reciprocal and five high products: about 125 instructions on Cortex-M4, with the flags.
+    /// One reciprocal and five high products: about 65 instructions on Cortex-M4 in the view.
     #[inline(always)]
+    pub(super) fn project(&self, clip: &Clip) -> Projected {
+        let Clip { x, y, z, w } = *clip;
+        // Coordinates are below 2^30: a sum's sign bit is right, and where w is so far below zero
+        // that the first difference wraps, another is negative.
+        let margins = w.wrapping_sub(self.easy_w)
+            | w.wrapping_add(x)
+            | w.wrapping_sub(x)
+            | w.wrapping_sub(y)
+            | w.wrapping_add(y);
+        if margins < 0 || self.depth.is_row() && (z > w || z < self.depth.z_min) {
+            return self.project_any(clip);
+        }
+        let over_w = inlined_reciprocal_of_some(w as u32);
+        let x = self.half_width.twice_easy(x, over_w).wrapping_add(1) >> 1;
+        let y = self.half_height.twice_easy(y, over_w).wrapping_neg() >> 1;
+        Projected::new(x, y, self.code_easy(z, over_w), 0)
+    }
+
+    /// The same for any vertex.
+    #[inline(never)]
     #[allow(clippy::cast_possible_truncation, reason = "compared with the original")]
-    pub(crate) fn project(&self, clip: &Clip) -> Projected {
+    pub(super) fn project_any(&self, clip: &Clip) -> Projected {
         let Clip { x, y, z, w } = *clip;
         // Coordinates are below 2^30: a sum's sign bit is right.
-        let (left, right) = (w.wrapping_add(x), w.wrapping_sub(x));
-        let (above, below) = (w.wrapping_sub(y), w.wrapping_add(y));
-        let mut flags = 0;
-        if left | right | above | below < 0 {
-            let outside = |margin: i32, flag: u16| (margin as u32 >> 31) as u16 * flag;
-            flags = outside(left, flag::LEFT)
-                | outside(right, flag::RIGHT)
-                | outside(above, flag::ABOVE)
-                | outside(below, flag::BELOW);
-        }
+        let outside = |margin: i32, flag: u32| if margin < 0 { flag } else { 0 };
+        let mut flags = self.flags
+            | outside(w.wrapping_add(x), flag::LEFT)
+            | outside(w.wrapping_sub(x), flag::RIGHT)
+            | outside(w.wrapping_sub(y), flag::ABOVE)
+            | outside(w.wrapping_add(y), flag::BELOW);
         if self.is_behind_near(z, w) {
-            return Projected { x: 0, y: 0, z: 0, flags: flags | flag::NEAR };
+            return Projected::new(0, 0, 0, flags | flag::NEAR);
         }
         if z < self.depth.z_min {
             flags |= flag::FAR;
         }
         let (x, y, z) = self.screen(clip);
-        let (short_x, short_y) = (x as i16, y as i16);
-        if i32::from(short_x) != x || i32::from(short_y) != y {
+        if i32::from(x as i16) != x || i32::from(y as i16) != y {
             flags |= flag::RANGE;
         }
-        Projected { x: short_x, y: short_y, z, flags }
+        Projected::new(x, y, z, flags)
     }
 
     /// Whether a vertex lies before the near plane (or has no positive w at all).
@@ -163,9 +219,9 @@ impl Mapping {
     #[inline(always)]
     pub(crate) fn place(&self, vertex: &Projected) -> ScreenVertex {
         ScreenVertex::from_bits(
-            self.center_x.wrapping_add(vertex.x.into()),
-            self.center_y.wrapping_add(vertex.y.into()),
-            vertex.z,
+            self.center_x.wrapping_add(vertex.x()),
+            self.center_y.wrapping_add(vertex.y()),
+            vertex.z(),
         )
     }
 
@@ -173,9 +229,10 @@ impl Mapping {
     #[inline(never)]
     fn screen(&self, clip: &Clip) -> (i32, i32, u16) {
         let over_w = reciprocal_of_some(clip.w as u32);
-        let x = self.half_width.times(clip.x, over_w);
-        let y = self.half_height.times(clip.y, over_w);
-        (x, y.wrapping_neg(), self.code(clip, over_w))
+        let x = self.half_width.twice(clip.x, over_w).wrapping_add(1) >> 1;
+        // Minus the nearest.
+        let y = self.half_height.twice(clip.y, over_w).wrapping_neg() >> 1;
+        (x, y, self.code(clip, over_w))
     }
 
     /// The depth code 2 + 65531 z / w, rounded to nearest.
@@ -188,14 +245,33 @@ impl Mapping {
             let down = shift.wrapping_add(over_w.shift).wrapping_sub(33).min(31);
             mul_high_31(numerator, over_w.mantissa) >> down
         } else {
-            // z / w as 2.28, times 65531 as 13 more bits. w has room for 60 - shift.
-            let z = clip.z.min(clip.w).max(0) as u32;
-            let ratio =
-                mul_high_31(z.wrapping_shl(60_u32.wrapping_sub(over_w.shift)), over_w.mantissa);
-            mul_high_31(ratio << 3, DEPTHS << 14) >> 12
+            twice_ratio(clip.z.min(clip.w), over_w)
         };
         (twice.wrapping_add(1) >> 1).wrapping_add(2).min(65535) as u16
     }
+
+    /// The same for a w of at least [`easy_w`](Self::easy_w), and a z that is no more.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "z is at most w, and w at least near")]
+    fn code_easy(&self, z: i32, over_w: Reciprocal) -> u16 {
+        let Depth { numerator, shift, .. } = self.depth;
+        let twice = if numerator != 0 {
+            let down = shift.wrapping_add(over_w.shift).wrapping_sub(33);
+            mul_high_31(numerator, over_w.mantissa) >> (down & 31)
+        } else {
+            twice_ratio(z, over_w)
+        };
+        (twice.wrapping_add(1) >> 1).wrapping_add(2) as u16
+    }
+}
+
+/// Twice 65531 z / w for a z that is at most w; 0 where it is negative.
+#[inline(always)]
+fn twice_ratio(z: i32, over_w: Reciprocal) -> u32 {
+    // z / w as 2.28, times 65531 as 13 more bits. w has room for 60 - shift.
+    let up = 60_u32.wrapping_sub(over_w.shift);
+    let ratio = mul_high_31((z.max(0) as u32).wrapping_shl(up), over_w.mantissa);
+    mul_high_31(ratio << 3, DEPTHS << 14) >> 12
 }
 
 /// How far z may exceed w by the rounding of the matrix before a vertex counts as before the near
@@ -204,3 +280,7 @@ impl Mapping {
 pub(super) fn near_slack(w: i32) -> i32 {
     (w >> 6).min(6 * 16384)
 }
+
+#[cfg(test)]
+#[path = "mapping_tests.rs"]
+mod tests;

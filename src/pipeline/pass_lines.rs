@@ -1,6 +1,6 @@
 //! Lines of meshes, and the edges of their triangles.
 
-use super::assembly::{vertex, Positions};
+use super::assembly::{area_of, sign, vertex, Positions};
 use super::cache::CacheView;
 use super::clipper::{cut_line, Fan};
 use super::fill::Access;
@@ -11,7 +11,6 @@ use super::{LineStyle, Pass, VertexCache};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
 use crate::math::Mat4;
-use crate::raster::area_of_sides;
 use crate::scene::{Mesh, Topology};
 use crate::shade::{Corner, Counter, Event, Shader, State, Varying};
 
@@ -208,12 +207,12 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
         let none = |event| Outcome { event, pixels: 0 };
         let Segment { number, ends: [i, j], provoking, before } = *line;
         let [a, b] = [i, j].map(|index| vertex(cache.entries, index, *positions, mapping));
-        let any = a.flags | b.flags;
+        let any = a.flags() | b.flags();
         if any & flag::INVALID != 0 {
             return none(Event::Skipped);
         }
         // The sides of the viewport are no reason where a line is wide.
-        if a.flags & b.flags & (flag::NEAR | flag::FAR) != 0 {
+        if a.flags() & b.flags() & (flag::NEAR | flag::FAR) != 0 {
             return none(Event::Outside);
         }
         let mut ends = [mapping.place(&a), mapping.place(&b)];
@@ -251,15 +250,15 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
         fan: &mut Fan,
     ) -> Option<Event> {
         let Self { positions, mapping, culled, .. } = self;
-        let [a, b, c] = vertices.map(|index| vertex(cache.entries, index, *positions, mapping));
-        let any = a.flags | b.flags | c.flags;
+        let corners = vertices.map(|index| vertex(cache.entries, index, *positions, mapping));
+        let [a, b, c] = &corners;
+        let any = a.flags() | b.flags() | c.flags();
         if any & flag::INVALID != 0 {
             return Some(Event::Skipped);
         }
-        if a.flags & b.flags & c.flags & (flag::NEAR | flag::FAR) != 0 {
+        if a.flags() & b.flags() & c.flags() & (flag::NEAR | flag::FAR) != 0 {
             return Some(Event::Outside);
         }
-        let side = |to: i16, from: i16| i32::from(to).wrapping_sub(from.into());
         let area = if any & flag::CLIP != 0 {
             if fan.cut(mapping, |index| positions.clip(index), &vertices).is_none() {
                 return Some(Event::Skipped);
@@ -269,12 +268,12 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
             }
             fan.area
         } else {
-            area_of_sides(side(b.x, a.x), side(b.y, a.y), side(c.x, a.x), side(c.y, a.y))
+            area_of(&corners)
         };
         if area == 0 {
             Some(Event::Degenerate)
         } else {
-            culled.contain(area).then_some(Event::Culled)
+            culled.contain(sign(area)).then_some(Event::Culled)
         }
     }
 }

@@ -290,6 +290,15 @@ impl<S: State> Pass<'_, S> {
     }
 }
 
+/// What belongs to the corners of a face of the mesh, in the order of its triangle.
+fn in_order<C: Copy>([a, b, c]: [C; 3], face: &Face) -> [C; 3] {
+    if face.triangle.flipped {
+        [a, c, b]
+    } else {
+        [a, b, c]
+    }
+}
+
 impl<H: Shader> Draw<'_, H> {
     /// Records all triangles that may be seen.
     fn record<P, T, C>(
@@ -336,9 +345,10 @@ impl<H: Shader> Draw<'_, H> {
         list: &mut DisplayList<'_, Corner<H::Varying>>,
     ) -> Option<()> {
         let mut numbers = [0; 3];
-        self.vertices.attributes.get(*face.vertices.first()? as usize)?;
+        let vertices = in_order(face.vertices, face);
+        self.vertices.attributes.get(*vertices.first()? as usize)?;
         for (at, number) in numbers.iter_mut().enumerate() {
-            let (index, vertex) = (*face.vertices.get(at)?, face.triangle.v.get(at)?);
+            let (index, vertex) = (*vertices.get(at)?, face.triangle.v.get(at)?);
             *number = match cache.corner(index) {
                 Some(number) => number,
                 None => self.record_vertex((index, at), vertex, positions, cache, list)?,
@@ -398,7 +408,7 @@ impl<H: Shader> Draw<'_, H> {
             return Some(());
         }
         let [a, b, c] = &face.triangle.v;
-        let [p, q, r] = corners;
+        let [p, q, r] = in_order(corners, face);
         let numbers = [(a, p), (b, q), (c, r)].map(|(v, corner)| list.push_vertex(v, corner));
         list.push(numbers);
         Some(())

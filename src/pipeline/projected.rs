@@ -1,40 +1,81 @@
 use crate::raster::{GUARD, SUBPIXELS};
 
-/// Where a vertex lies beside the view, as bits; a triangle whose corners share one is not seen.
+/// What is known of a vertex, as bits of [`Projected::flags`]; a triangle whose corners share one of
+/// [`OUTSIDE`](flag::OUTSIDE) is not seen.
 pub(crate) mod flag {
-    pub(crate) const LEFT: u16 = 1 << 0;
-    pub(crate) const RIGHT: u16 = 1 << 1;
-    pub(crate) const ABOVE: u16 = 1 << 2;
-    pub(crate) const BELOW: u16 = 1 << 3;
+    /// No flag but a mark of the cache: its attributes are made too.
+    pub(crate) const SHADED: u32 = 1 << 16;
+    pub(crate) const LEFT: u32 = 1 << 17;
+    pub(crate) const RIGHT: u32 = 1 << 18;
+    pub(crate) const ABOVE: u32 = 1 << 19;
+    pub(crate) const BELOW: u32 = 1 << 20;
     /// In front of the near plane, or behind the eye: not projected.
-    pub(crate) const NEAR: u16 = 1 << 4;
+    pub(crate) const NEAR: u32 = 1 << 21;
     /// Beyond the far plane.
-    pub(crate) const FAR: u16 = 1 << 5;
+    pub(crate) const FAR: u32 = 1 << 22;
     /// Beyond what 12.4 holds: its triangles are clipped at the guard box.
-    pub(crate) const RANGE: u16 = 1 << 6;
+    pub(crate) const RANGE: u32 = 1 << 23;
     /// Not there, or no number.
-    pub(crate) const INVALID: u16 = 1 << 7;
+    pub(crate) const INVALID: u32 = 1 << 24;
+    /// Of a viewport so large that areas in it may need more than 32 bits.
+    pub(crate) const LARGE: u32 = 1 << 25;
 
+    /// All but the cache's mark: none of a vertex in a view of ordinary size.
+    pub(crate) const ALL: u32 = u32::MAX << 17;
     /// Triangles all of whose corners have one of these are not seen.
-    pub(crate) const OUTSIDE: u16 = LEFT | RIGHT | ABOVE | BELOW | NEAR | FAR;
+    pub(crate) const OUTSIDE: u32 = LEFT | RIGHT | ABOVE | BELOW | NEAR | FAR;
     /// Triangles any of whose corners has one of these are clipped.
-    pub(crate) const CLIP: u16 = NEAR | FAR | RANGE;
+    pub(crate) const CLIP: u32 = NEAR | FAR | RANGE;
 }
 
 const _: () = assert!(i16::MAX as i32 <= GUARD * SUBPIXELS, "what 12.4 holds needs no clipping");
 
 /// A vertex on the screen: the one value from which every path draws.
 ///
-/// Coordinates are 12.4 fixed point from the centre of the viewport, y down.
-#[derive(Clone, Copy, Debug, Default)]
+/// Coordinates are 12.4 fixed point from the centre of the viewport, y down. Two words, which load
+/// and store as a pair.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Projected {
-    pub(crate) x: i16,
-    pub(crate) y: i16,
-    pub(crate) z: u16,
-    pub(crate) flags: u16,
+    /// x below y.
+    xy: u32,
+    /// The depth code, and above it flags.
+    pub(crate) z_flags: u32,
 }
 
 impl Projected {
     /// A vertex that does not exist.
-    pub(crate) const INVALID: Self = Self { x: 0, y: 0, z: 0, flags: flag::INVALID };
+    pub(crate) const INVALID: Self = Self { xy: 0, z_flags: flag::INVALID };
+
+    /// A vertex at a place that 12.4 holds; what it does not hold is cut off.
+    #[inline(always)]
+    pub(crate) const fn new(x: i32, y: i32, z: u16, flags: u32) -> Self {
+        let xy = x.cast_unsigned() & 0xFFFF | y.cast_unsigned() << 16;
+        Self { xy, z_flags: z as u32 | flags }
+    }
+
+    /// Subpixels from the viewport's centre to the right.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the lower half")]
+    pub(crate) const fn x(self) -> i32 {
+        (self.xy as u16).cast_signed() as i32
+    }
+
+    /// Subpixels from the viewport's centre down.
+    #[inline(always)]
+    pub(crate) const fn y(self) -> i32 {
+        self.xy.cast_signed() >> 16
+    }
+
+    /// The depth code.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "the lower half")]
+    pub(crate) const fn z(self) -> u16 {
+        self.z_flags as u16
+    }
+
+    /// Flags, and bits that are none.
+    #[inline(always)]
+    pub(crate) const fn flags(self) -> u32 {
+        self.z_flags
+    }
 }

@@ -13,16 +13,23 @@ pub(crate) struct Depth {
     /// everywhere and depth comes from w alone; 0 where z' is a row of the matrix.
     pub(super) numerator: u32,
     pub(super) shift: u32,
+    /// From this w on a code needs no limit, if z is at most w.
+    pub(super) easy_w: i32,
 }
+
+/// The least near distance in clip space of which depths up to the largest w take no more than a
+/// shift by 31.
+const LEAST_EASY_NEAR: f32 = 2048.0;
 
 impl Depth {
     /// Depth from a row of the matrix; `far` says whether z' < 0 is beyond a far plane.
     pub(super) const fn of_row(far: bool) -> Self {
-        Self { w_min: 1, z_min: if far { 0 } else { i32::MIN }, numerator: 0, shift: 0 }
+        let z_min = if far { 0 } else { i32::MIN };
+        Self { w_min: 1, z_min, numerator: 0, shift: 0, easy_w: 1 }
     }
 
     /// Depth from w, for a near distance in units of clip space; `None` if it is not above zero.
-    fn of_w(near: f32) -> Option<Self> {
+    pub(super) fn of_w(near: f32) -> Option<Self> {
         // Sign and exponent: what is negative, no number or infinite lies above the range, and zero
         // below it.
         let bits = (near * 65531.0).to_bits();
@@ -37,6 +44,7 @@ impl Depth {
             z_min: 0,
             numerator: (bits | 1 << 23) << 8 >> 1,
             shift: 157_u32.wrapping_sub(exponent),
+            easy_w: if near < LEAST_EASY_NEAR { i32::MAX } else { whole(near).saturating_add(1) },
         })
     }
 
@@ -134,6 +142,12 @@ impl Transform {
     /// Not inlined: the caller keeps its registers, and there is one copy of this.
     #[inline(never)]
     pub(crate) fn apply(&self, position: &[i16; 3]) -> Clip {
+        self.inlined(position)
+    }
+
+    /// The same in place.
+    #[inline(always)]
+    pub(super) fn inlined(&self, position: &[i16; 3]) -> Clip {
         let [p, q, r] = position.map(i32::from);
         let dot = |[a, b, c, offset]: &[i32; 4]| {
             a.wrapping_mul(p)

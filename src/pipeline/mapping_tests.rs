@@ -1,0 +1,94 @@
+//! What is projected in place has the bits of what is projected with all questions asked.
+
+use super::Mapping;
+use crate::frame::{Size, MAX_SIDE};
+use crate::math::hard_numbers::Random;
+use crate::pipeline::assembly::{area_in_view, area_of};
+use crate::pipeline::projected::flag;
+use crate::pipeline::transform::Depth;
+use crate::pipeline::Clip;
+
+/// Any viewport: small ones, long ones and large ones.
+fn any_size(random: &mut Random) -> Size {
+    let mut side = || {
+        let bits = random.word() % 14;
+        u16::try_from(random.word() % (1 << bits) + 1).unwrap_or(1).min(MAX_SIDE)
+    };
+    Size::new(side(), side())
+}
+
+/// Depth from w with any near distance, or from a row of the matrix.
+fn any_depth(random: &mut Random) -> Depth {
+    let near = f32::from_bits((97 + random.word() % 70) << 23 | random.word() >> 9);
+    match random.word() % 4 {
+        0 => Depth::of_row(false),
+        1 => Depth::of_row(true),
+        _ => Depth::of_w(near).unwrap_or(Depth::of_row(true)),
+    }
+}
+
+/// Any position, most of them in view or at its ends.
+fn any_clip(random: &mut Random, depth: &Depth) -> Clip {
+    let w = (random.word().cast_signed() >> 2) >> (random.word() % 31);
+    let w = if random.word() % 8 == 0 { w } else { w.max(depth.w_min) };
+    let mut coordinate = || match random.word() % 8 {
+        0 => random.word().cast_signed() >> 2,
+        1 => w.wrapping_add((random.word() % 5).cast_signed() - 2),
+        2 => w.wrapping_neg().wrapping_add((random.word() % 5).cast_signed() - 2),
+        _ => (i64::from(random.word().cast_signed()) * i64::from(w) >> 31) as i32,
+    };
+    let [x, y, z] = [coordinate(), coordinate(), coordinate()];
+    let limited = |v: i32| v.clamp(1 - Clip::LIMIT, Clip::LIMIT - 1);
+    let z = if depth.is_row() { limited(z) } else { 0 };
+    Clip { x: limited(x), y: limited(y), z, w: limited(w) }
+}
+
+#[test]
+fn a_vertex_in_view_has_the_bits_of_any_vertex() {
+    let mut random = Random::new(31);
+    let (mut in_view, mut beside) = (0, 0);
+    for _ in 0..20_000 {
+        let (size, depth) = (any_size(&mut random), any_depth(&mut random));
+        let mapping = Mapping::new(0, 0, size, depth);
+        for _ in 0..50 {
+            let clip = any_clip(&mut random, &depth);
+            let (one, other) = (mapping.project(&clip), mapping.project_any(&clip));
+            assert_eq!(one, other, "{clip:?} by {mapping:?}");
+            let count = if one.flags() & flag::ALL == 0 { &mut in_view } else { &mut beside };
+            *count += 1;
+        }
+    }
+    assert!(in_view > 200_000 && beside > 200_000, "{in_view} in view, {beside} beside");
+}
+
+#[test]
+fn areas_in_view_fit_into_32_bits() {
+    let mut random = Random::new(32);
+    let mut compared = 0;
+    for round in 0..20_000 {
+        // The largest that are not large, and any.
+        let size = match round % 4 {
+            0 => Size::new(4094, 1024),
+            1 => Size::new(1024, 4094),
+            2 => Size::new(2048, 2048),
+            _ => any_size(&mut random),
+        };
+        let mapping = Mapping::new(0, 0, size, Depth::of_row(true));
+        let corners = [0; 3].map(|_: i32| {
+            // Most at the very ends of the view.
+            let w = 1 << 29;
+            let mut end = || match random.word() % 3 {
+                0 => w,
+                1 => -w,
+                _ => (i64::from(random.word().cast_signed()) >> 2) as i32,
+            };
+            mapping.project(&Clip { x: end(), y: end(), z: w / 2, w })
+        });
+        let [a, b, c] = &corners;
+        if (a.flags() | b.flags() | c.flags()) & flag::ALL == 0 {
+            assert_eq!(i64::from(area_in_view(&corners)), area_of(&corners), "{corners:?}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 10_000, "{compared}");
+}

@@ -1,4 +1,4 @@
-use super::surface::cosine;
+use super::surface::{cosine, vertex_cosine};
 use super::{Beam, LightKind, Lighting, Surface};
 use crate::color::{Rgb, Rgb16};
 use crate::scene::{DirectionalLight, Light, Normal};
@@ -46,6 +46,31 @@ impl<const N: usize, K: Copy> Lambert<N, K> {
 pub struct PreparedLambert<const N: usize, K: LightKind = DirectionalLight> {
     ambient: Rgb16,
     lights: [(K::Prepared, Rgb16); N],
+    /// Whether all of the light together is more than a colour holds.
+    is_bright: bool,
+}
+
+impl<const N: usize, K: LightKind> PreparedLambert<N, K> {
+    /// The light at a place under cosines to directions.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "limited to 16 bits")]
+    fn sum(&self, position: [i16; 3], cosine: impl Fn(&[i32; 3]) -> u32) -> Rgb16 {
+        let mut sum = [self.ambient.r, self.ambient.g, self.ambient.b].map(u32::from);
+        for (kind, color) in &self.lights {
+            let Beam { direction, strength } = K::beam(kind, position);
+            // No more than all, whatever a kind of light says.
+            let share = (cosine(&direction).wrapping_mul(strength) >> 15).min(1 << 15);
+            for (sum, channel) in sum.iter_mut().zip([color.r, color.g, color.b]) {
+                *sum = sum.wrapping_add(share.wrapping_mul(channel.into()) >> 15);
+            }
+        }
+        if self.is_bright {
+            sum = sum.map(|channel| channel.min(Rgb16::FULL.into()));
+        }
+        // No more than full.
+        let [r, g, b] = sum.map(|channel| channel as u16);
+        Rgb16 { r, g, b }
+    }
 }
 
 impl<const N: usize, K: LightKind> Lighting for Lambert<N, K> {
@@ -56,23 +81,21 @@ impl<const N: usize, K: LightKind> Lighting for Lambert<N, K> {
         let lights = self
             .lights
             .map(|light| (light.kind.prepare(draw), times(light.color(), self.material)));
-        PreparedLambert { ambient: times(self.ambient, self.material), lights }
+        let ambient = times(self.ambient, self.material);
+        let exceeds = |channel: fn(&Rgb16) -> u16| {
+            let sum = lights.iter().fold(u32::from(channel(&ambient)), |sum, (_, color)| {
+                sum.saturating_add(channel(color).into())
+            });
+            sum > u32::from(Rgb16::FULL)
+        };
+        let is_bright =
+            exceeds(|color| color.r) || exceeds(|color| color.g) || exceeds(|color| color.b);
+        PreparedLambert { ambient, lights, is_bright }
     }
 
     #[inline(always)]
-    #[allow(clippy::cast_possible_truncation, reason = "limited to 16 bits just before")]
     fn shine(&self, lights: &PreparedLambert<N, K>, surface: &Surface) -> Rgb16 {
-        let mut sum = [lights.ambient.r, lights.ambient.g, lights.ambient.b].map(u32::from);
-        for (kind, color) in &lights.lights {
-            let Beam { direction, strength } = K::beam(kind, surface.position);
-            let share = cosine(&surface.normal, &direction).wrapping_mul(strength) >> 15;
-            for (sum, channel) in sum.iter_mut().zip([color.r, color.g, color.b]) {
-                *sum = sum.wrapping_add(share.wrapping_mul(channel.into()) >> 15);
-            }
-        }
-        let [r, g, b] = sum.map(|channel| channel.min(Rgb16::FULL.into()) as u16);
-        // Limited just before.
-        Rgb16 { r, g, b }
+        lights.sum(surface.position, |direction| cosine(&surface.normal, direction))
     }
 }
 
@@ -87,7 +110,9 @@ impl<const N: usize, K: LightKind> Coloring for Lambert<N, K> {
 
     #[inline]
     fn color(&self, prepared: &PreparedLambert<N, K>, vertex: VertexInput<'_, Normal>) -> Rgb16 {
-        self.shine(prepared, &Surface::of(vertex))
+        let [x, y, z] = vertex.attributes;
+        let normal = [i32::from(*x), i32::from(*y), i32::from(*z)];
+        prepared.sum(vertex.position, |direction| vertex_cosine(&normal, direction))
     }
 }
 
@@ -103,4 +128,66 @@ pub(super) fn times(a: Rgb, b: Rgb) -> Rgb16 {
 #[allow(clippy::cast_possible_truncation, reason = "no more than the channel")]
 pub(super) fn product(channel: u32, share: u32) -> u16 {
     (channel.wrapping_mul(share).wrapping_add(0x8000) / 65_535) as u16
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::hard_numbers::Random;
+
+    #[test]
+    fn a_vertex_is_lit_as_its_surface_and_channels_stop_at_full() {
+        let mut random = Random::new(34);
+        let (mut bright, mut dim) = (0, 0);
+        for _ in 0..20_000 {
+            let mut byte = || u8::try_from(random.word() >> 24).unwrap_or(0);
+            let mut rgb = || Rgb::new(byte(), byte(), byte());
+            let (ambient, material) = (rgb(), rgb());
+            let colors = [rgb(), rgb()];
+            let scale = 1 + random.word() % 3;
+            let halved = |channel: u8| u32::from(channel) / scale;
+            let dimmed = |c: Rgb| Rgb::new(halved(c.r) as u8, halved(c.g) as u8, halved(c.b) as u8);
+            let ambient = times(dimmed(ambient), material);
+            let colors = colors.map(|color| times(dimmed(color), material));
+            let lights = colors.map(|color| {
+                // As long as a direction gets by rounding, or a little longer.
+                let mut axis = || (random.float(16_520.0)) as i32;
+                ([axis(), axis(), axis()], color)
+            });
+            let sum = |channel: fn(&Rgb16) -> u16| {
+                u32::from(channel(&ambient))
+                    + colors.iter().map(|color| u32::from(channel(color))).sum::<u32>()
+            };
+            let most = sum(|c| c.r).max(sum(|c| c.g)).max(sum(|c| c.b));
+            let is_bright = most > u32::from(Rgb16::FULL);
+            *(if is_bright { &mut bright } else { &mut dim }) += 1;
+            let prepared = PreparedLambert::<2, DirectionalLight> { ambient, lights, is_bright };
+            for _ in 0..20 {
+                let [a, b, c, _] = random.word().to_le_bytes().map(u8::cast_signed);
+                let input = VertexInput { attributes: &[a, b, c], position: [0; 3] };
+                let surface = Surface::of(input);
+                let lambert = Lambert::<2> {
+                    lights: [Light::directional(crate::math::Vec3::X, Rgb::WHITE); 2],
+                    ambient: Rgb::BLACK,
+                    material: Rgb::WHITE,
+                };
+                // The definition: every channel limited.
+                let channel = |of: fn(&Rgb16) -> u16| {
+                    let sum = lights.iter().fold(u32::from(of(&ambient)), |sum, (way, color)| {
+                        sum + (cosine(&surface.normal, way) * u32::from(of(color)) >> 15)
+                    });
+                    sum.min(Rgb16::FULL.into()) as u16
+                };
+                let expected =
+                    Rgb16 { r: channel(|c| c.r), g: channel(|c| c.g), b: channel(|c| c.b) };
+                assert_eq!(lambert.color(&prepared, input), expected, "{input:?} by {prepared:?}");
+                assert_eq!(
+                    lambert.shine(&prepared, &surface),
+                    expected,
+                    "{input:?} by {prepared:?}"
+                );
+            }
+        }
+        assert!(bright > 1000 && dim > 1000, "{bright} bright, {dim} dim");
+    }
 }

@@ -43,6 +43,13 @@ pub(super) fn cosine(normal: &[i32; 3], direction: &[i32; 3]) -> u32 {
     (dot(normal, direction) >> 13).clamp(0, 1 << 15).cast_unsigned()
 }
 
+/// The same for a normal as the mesh holds it, 127 long where it is a unit: the same bits, since no
+/// sum of products is as large as 2^31 / 128.
+#[inline(always)]
+pub(super) fn vertex_cosine(normal: &[i32; 3], direction: &[i32; 3]) -> u32 {
+    (dot(normal, direction) >> 6).clamp(0, 1 << 15).cast_unsigned()
+}
+
 /// The sum of products, below 2^31 for normals of up to twice the unit's length.
 #[inline(always)]
 pub(super) fn dot([x, y, z]: &[i32; 3], [u, v, w]: &[i32; 3]) -> i32 {

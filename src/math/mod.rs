@@ -26,6 +26,7 @@ mod approximate;
 #[cfg(test)]
 pub(crate) mod hard_numbers;
 mod inverse_sqrt;
+mod leading_zeros;
 mod mat4;
 #[cfg(test)]
 mod mat4_tests;
@@ -60,5 +61,6 @@ pub use vec3::Vec3;
 pub use vec4::Vec4;
 pub(crate) use whole::whole;
 pub(crate) use wide::{
-    mul_high_31, mul_high_positive, mul_high_signed, weight, weighted_sum, wide_product, BY_HALVES,
+    mul_high_30, mul_high_31, mul_high_both_31, mul_high_positive, mul_high_signed, weight,
+    weighted_sum, wide_product, BY_HALVES,
 };

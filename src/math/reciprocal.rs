@@ -1,4 +1,5 @@
-use super::wide::{mul_high_31, mul_high_signed};
+use super::leading_zeros::leading_zeros;
+use super::wide::{mul_high_30, mul_high_31};
 
 /// One over an integer: 1 / n is about `mantissa` / 2^`shift`.
 ///
@@ -63,7 +64,7 @@ pub(crate) fn reciprocal_of_some(n: u32) -> Reciprocal {
 /// The same in place: for what is done once a triangle, and not much longer than the call.
 #[inline(always)]
 pub(crate) fn inlined_reciprocal_of_some(n: u32) -> Reciprocal {
-    let leading_zeros = n.leading_zeros();
+    let leading_zeros = leading_zeros(n);
     // f = normal / 2^32, in [1/2, 1).
     let normal = n.wrapping_shl(leading_zeros);
 
@@ -78,7 +79,7 @@ pub(crate) fn inlined_reciprocal_of_some(n: u32) -> Reciprocal {
     // Second step. The error 2^30 (1 - f x) is under 2^17, so it goes into the product with
     // 13 bits more.
     let error = (1u32 << 30).wrapping_sub(mul_high_31(normal, estimate)).cast_signed();
-    let correction = mul_high_signed(error.wrapping_shl(13), estimate >> 1) >> 10;
+    let correction = mul_high_30(error.wrapping_shl(13), estimate >> 1) >> 10;
     let mantissa = estimate.wrapping_add(correction.cast_unsigned());
 
     // In range for all 2^31 normal numbers, as going through them shows.

@@ -42,7 +42,33 @@ pub(crate) const fn mul_high_31(a: u32, b: u32) -> u32 {
     }
 }
 
-/// The upper 32 bits of the product of two numbers that are not negative, as signed.
+/// The same of two numbers below 2^31, by halves: no sum overflows.
+#[inline(always)]
+const fn high_of_31_bits_by_halves(a: u32, b: u32) -> u32 {
+    let (al, ah, bl, bh) = (a & 0xFFFF, a >> 16, b & 0xFFFF, b >> 16);
+    let middle = ah * bl + al * bh + (al * bl >> 16);
+    ah * bh + (middle >> 16)
+}
+
+/// The upper 32 bits of a product of two numbers below 2^31.
+#[inline(always)]
+pub(crate) const fn mul_high_both_31(a: u32, b: u32) -> u32 {
+    if BY_HALVES {
+        high_of_31_bits_by_halves(a, b)
+    } else {
+        ((a as u64 * b as u64) >> 32) as u32
+    }
+}
+
+/// The same of a number below 2^31 and a multiple of 2^15 below 2^31, by halves of the first.
+#[inline(always)]
+const fn high_by_upper_half(a: u32, b: u32) -> u32 {
+    let b = b >> 15;
+    ((a >> 16) * b + ((a & 0xFFFF) * b >> 16)) >> 1
+}
+
+/// The upper 32 bits of the product of two numbers that are not negative, as signed; the second must
+/// be a multiple of 2^15.
 ///
 /// Of signed factors whose signs it does not know the compiler makes one instruction, and one again
 /// of the result's product with a signed number; of an unsigned and a signed one it makes three.
@@ -50,7 +76,7 @@ pub(crate) const fn mul_high_31(a: u32, b: u32) -> u32 {
 #[allow(clippy::cast_possible_wrap, reason = "below 2^30")]
 pub(crate) const fn mul_high_positive(a: i32, b: i32) -> i32 {
     if BY_HALVES {
-        high_by_parts(a as u32, b as u32) as i32
+        high_by_upper_half(a as u32, b as u32) as i32
     } else {
         ((a as i64 * b as i64) >> 32) as i32
     }
@@ -77,6 +103,26 @@ pub(crate) const fn mul_high_signed(a: i32, b: u32) -> i32 {
         (high_by_parts(a as u32, b) as i32).wrapping_sub(a >> 31 & b as i32)
     } else {
         ((a as i64 * b as i32 as i64) >> 32) as i32
+    }
+}
+
+/// The same by halves, for numbers of at most 2^30 in magnitude: no sum overflows.
+#[inline(always)]
+#[allow(clippy::cast_possible_wrap, reason = "halves")]
+const fn high_of_30_bits_by_halves(a: i32, b: u32) -> i32 {
+    let (al, ah, bl, bh) = (a & 0xFFFF, a >> 16, (b & 0xFFFF) as i32, (b >> 16) as i32);
+    let low = (al as u32 * bl as u32 >> 16) as i32;
+    ah * bh + ((ah * bl + (al * bh + low)) >> 16)
+}
+
+/// The upper 32 bits of the product of a signed and an unsigned number, both of at most 2^30 in
+/// magnitude, rounded down.
+#[inline(always)]
+pub(crate) const fn mul_high_30(a: i32, b: u32) -> i32 {
+    if BY_HALVES {
+        high_of_30_bits_by_halves(a, b)
+    } else {
+        mul_high_signed(a, b)
     }
 }
 
@@ -173,6 +219,18 @@ mod tests {
             assert_eq!(u64::from(high_by_parts(a, half)), upper, "{a:x} x {half:x}");
             assert_eq!(u64::from(mul_high_31(a, half)), upper, "{a:x} x {half:x}");
             assert_eq!(wide_product(signed, half), exact, "{signed} x {half:x}");
+            let (a, b) = (a >> 1, half);
+            let upper = (u64::from(a) * u64::from(b)) >> 32;
+            assert_eq!(u64::from(high_of_31_bits_by_halves(a, b)), upper, "{a:x} x {b:x}");
+            let coarse = b >> 15 << 15;
+            let upper = (u64::from(a) * u64::from(coarse)) >> 32;
+            assert_eq!(u64::from(high_by_upper_half(a, coarse)), upper, "{a:x} x {coarse:x}");
+            let (signed, b) = (signed >> 1, b.min(1 << 30));
+            for signed in [signed, signed.saturating_add(1)] {
+                let upper = (i64::from(signed) * i64::from(b)) >> 32;
+                let high = high_of_30_bits_by_halves(signed, b);
+                assert_eq!(i64::from(high), upper, "{signed} x {b:x}");
+            }
         };
         for a in ends {
             for b in ends {

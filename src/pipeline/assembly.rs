@@ -5,7 +5,7 @@ use super::projected::{flag, Projected};
 use super::transform::Transform;
 use super::{Clip, CulledWindings};
 use crate::frame::Rect;
-use crate::raster::{area_of_sides, Triangle};
+use crate::raster::{area_of_sides, ScreenVertex, Triangle};
 use crate::scene::Topology;
 use crate::shade::{Counter, Event};
 
@@ -16,6 +16,10 @@ pub(super) trait Positions {
 
     /// A vertex on the screen.
     fn projected(&self, index: u32, mapping: &Mapping) -> Projected;
+
+    /// A vertex as a point, and what becomes of one that is not between the near and the far plane
+    /// or not there at all.
+    fn point(&self, index: u32, mapping: &Mapping) -> Result<ScreenVertex, Event>;
 }
 
 /// Positions of a mesh through a transform: one copy for every shader that leaves them to the mesh.
@@ -38,6 +42,12 @@ impl Positions for MeshPositions<'_> {
             None => Projected::INVALID,
         }
     }
+
+    #[inline(never)]
+    fn point(&self, index: u32, mapping: &Mapping) -> Result<ScreenVertex, Event> {
+        let position = self.positions.get(index as usize).ok_or(Event::Skipped)?;
+        mapping.inlined_point(&self.transform.inlined(position)).ok_or(Event::Outside)
+    }
 }
 
 /// A triangle to be drawn: one of the mesh's, or a piece of one that was clipped.
@@ -49,6 +59,9 @@ pub(super) struct Face {
     pub(super) vertices: [u32; 3],
     /// On the screen, oriented.
     pub(super) triangle: Triangle,
+    /// What its vertices have all of: [`SHADED`](flag::SHADED) says that the cache holds the
+    /// attributes of the three.
+    pub(super) flags: u32,
     /// Whether this is a piece.
     pub(super) clipped: bool,
     /// Whether a piece of the mesh's triangle covered a pixel.
@@ -61,6 +74,7 @@ impl Face {
         number: 0,
         vertices: [0; 3],
         triangle: Triangle::EMPTY,
+        flags: 0,
         clipped: false,
         covered: false,
     };
@@ -191,6 +205,7 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
                 }
                 area
             };
+            face.flags = a.flags() & b.flags() & c.flags();
             // The second and the third corner change places where the triangle is turned.
             let flipped = area < 0;
             let (second, third) = (1 + usize::from(flipped), 2 - usize::from(flipped));
@@ -242,7 +257,7 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
             if !face.clipped {
                 return area;
             }
-            face.covered = false;
+            (face.covered, face.flags) = (false, 0);
             if self.fan.next(&mut face.triangle) {
                 return area;
             }

@@ -114,6 +114,14 @@ impl<C: Copy> CacheView<'_, C> {
         (entry.holds(index) && entry.vertex.flags() & flag::SHADED != 0).then_some(*corner)
     }
 
+    /// The attributes of three vertices that are known to be kept.
+    #[inline(always)]
+    pub(super) fn known(&self, vertices: [u32; 3]) -> Option<[C; 3]> {
+        let corner = |index| self.corners.get(slot(index, self.entries.len())).copied();
+        let [a, b, c] = vertices.map(corner);
+        Some([a?, b?, c?])
+    }
+
     /// Keeps a vertex's attributes, unless another vertex of the same triangle took its slot.
     #[inline(always)]
     pub(super) fn keep_corner(&mut self, index: u32, corner: C) {

@@ -2,11 +2,11 @@ use super::assembly::{Assembly, Face, Positions};
 use super::cache::CacheView;
 use super::fill::{Access, Fill, Walk};
 use super::mapping::Mapping;
-use super::projected::Projected;
+use super::projected::{flag, Projected};
 use super::Clip;
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::raster::{SpanBatch, Traversal};
+use crate::raster::{ScreenVertex, SpanBatch, Traversal};
 use crate::scene::{Topology, Vertices};
 use crate::shade::{Bound, Corner, Counter, Event, Shader, State, Varying, VertexInput};
 
@@ -35,6 +35,11 @@ impl<H: Shader> Positions for Draw<'_, H> {
             Some(clip) => mapping.project_any(&clip),
             None => Projected::INVALID,
         }
+    }
+
+    fn point(&self, index: u32, mapping: &Mapping) -> Result<ScreenVertex, Event> {
+        let clip = self.clip(index).ok_or(Event::Skipped)?;
+        mapping.point(&clip).ok_or(Event::Outside)
     }
 }
 
@@ -77,18 +82,21 @@ impl<H: Shader> Draw<'_, H> {
                 face.clipped = false;
                 continue;
             };
-            let provoking = corners[0];
-            if face.clipped {
+            let first;
+            let provoking = if face.clipped {
                 face.covered = true;
                 let [a, b, c] = corners;
                 corners = assembly.fan.weights().map(|(u, v)| H::Varying::mix([&a, &b, &c], u, v));
+                if face.triangle.flipped {
+                    corners.swap(1, 2);
+                }
+                first = a;
+                &first
             } else {
                 state.counter().event(Event::Drawn);
-            }
-            if face.triangle.flipped {
-                corners.swap(1, 2);
-            }
-            Fill { triangle: &face.triangle, corners: &corners, provoking: &provoking }.draw(
+                &corners[0]
+            };
+            Fill { triangle: &face.triangle, corners: &corners, provoking }.draw(
                 frame,
                 state,
                 &self.bound(),
@@ -98,8 +106,9 @@ impl<H: Shader> Draw<'_, H> {
         }
     }
 
-    /// The attributes of a triangle's corners; only the provoking one's where nothing is
-    /// interpolated. `None` if the mesh lacks them.
+    /// The attributes of a triangle's corners in its order, and of a piece those of the mesh's
+    /// triangle; only the provoking one's where nothing is interpolated. `None` if the mesh lacks
+    /// them.
     #[inline(always)]
     fn corners<P: Positions>(
         &self,
@@ -110,15 +119,19 @@ impl<H: Shader> Draw<'_, H> {
         if self.vertices.by_face {
             return self.face_corners(face, positions);
         }
+        let [a, ..] = face.vertices;
         let mut corner =
             |index: u32| cache.corner(index).or_else(|| self.shade(index, positions, cache));
-        let [a, b, c] = face.vertices;
-        let provoking = corner(a)?;
-        if H::Varying::INTERPOLATED {
-            Some([provoking, corner(b)?, corner(c)?])
-        } else {
-            Some([provoking; 3])
+        if !H::Varying::INTERPOLATED {
+            return Some([corner(a)?; 3]);
         }
+        let turned = face.triangle.flipped && !face.clipped;
+        let b = face.vertices[1 + usize::from(turned)];
+        let c = face.vertices[2 - usize::from(turned)];
+        if face.flags & flag::SHADED != 0 {
+            return cache.known([a, b, c]);
+        }
+        Some([corner(a)?, corner(b)?, corner(c)?])
     }
 
     /// The same where attributes are the triangle's own.

@@ -3,7 +3,7 @@ use super::transform::Depth;
 use super::Clip;
 use crate::frame::Size;
 use crate::math::{
-    inlined_reciprocal_of_some, mul_high_31, mul_high_positive, mul_high_signed,
+    inlined_reciprocal_of_some, mul_high_30, mul_high_both_31, mul_high_positive, mul_high_signed,
     reciprocal_of_some, Reciprocal,
 };
 use crate::raster::{ScreenVertex, GUARD, SUBPIXELS};
@@ -45,7 +45,7 @@ impl HalfSide {
     #[allow(clippy::cast_possible_wrap, reason = "mantissas are below 2^31")]
     fn twice_easy(self, v: i32, over_w: Reciprocal) -> i32 {
         let factor = mul_high_positive(over_w.mantissa as i32, self.mantissa);
-        mul_high_signed(v, factor as u32) >> (self.down.wrapping_add(over_w.shift) & 31)
+        mul_high_30(v, factor as u32) >> (self.down.wrapping_add(over_w.shift) & 31)
     }
 
     /// The smallest w whose reciprocal's shift and [`down`](Self::down) are not negative together.
@@ -200,6 +200,7 @@ impl Mapping {
 
     /// Where a point lies, however far beside the viewport; `None` if it is not between the near
     /// and the far plane.
+    #[inline(never)]
     pub(super) fn point(&self, clip: &Clip) -> Option<ScreenVertex> {
         /// Far beyond any point's extent, and nothing overflows.
         const FARTHEST: i32 = 1 << 20;
@@ -212,6 +213,24 @@ impl Mapping {
             self.center_x.wrapping_add(limit(x)),
             self.center_y.wrapping_add(limit(y)),
             z,
+        ))
+    }
+
+    /// The same in place where no question is left.
+    #[inline(always)]
+    pub(super) fn inlined_point(&self, clip: &Clip) -> Option<ScreenVertex> {
+        let Clip { x, y, z, w } = *clip;
+        if w < self.easy_w || self.depth.is_row() && (z > w || z < self.depth.z_min) {
+            return self.point(clip);
+        }
+        // Below 2^27, far beyond any point's extent.
+        let over_w = inlined_reciprocal_of_some(w as u32);
+        let x = self.half_width.twice_easy(x, over_w).wrapping_add(1) >> 1;
+        let y = self.half_height.twice_easy(y, over_w).wrapping_neg() >> 1;
+        Some(ScreenVertex::from_bits(
+            self.center_x.wrapping_add(x),
+            self.center_y.wrapping_add(y),
+            self.code_easy(z, over_w),
         ))
     }
 
@@ -243,7 +262,7 @@ impl Mapping {
         let twice = if numerator != 0 {
             // Below 2^30: 31 is far enough.
             let down = shift.wrapping_add(over_w.shift).wrapping_sub(33).min(31);
-            mul_high_31(numerator, over_w.mantissa) >> down
+            mul_high_both_31(numerator, over_w.mantissa) >> down
         } else {
             twice_ratio(clip.z.min(clip.w), over_w)
         };
@@ -257,7 +276,7 @@ impl Mapping {
         let Depth { numerator, shift, .. } = self.depth;
         let twice = if numerator != 0 {
             let down = shift.wrapping_add(over_w.shift).wrapping_sub(33);
-            mul_high_31(numerator, over_w.mantissa) >> (down & 31)
+            mul_high_both_31(numerator, over_w.mantissa) >> (down & 31)
         } else {
             twice_ratio(z, over_w)
         };
@@ -270,8 +289,9 @@ impl Mapping {
 fn twice_ratio(z: i32, over_w: Reciprocal) -> u32 {
     // z / w as 2.28, times 65531 as 13 more bits. w has room for 60 - shift.
     let up = 60_u32.wrapping_sub(over_w.shift);
-    let ratio = mul_high_31((z.max(0) as u32).wrapping_shl(up), over_w.mantissa);
-    mul_high_31(ratio << 3, DEPTHS << 14) >> 12
+    let ratio = mul_high_both_31((z.max(0) as u32).wrapping_shl(up), over_w.mantissa);
+    // At most 2^31, with a factor of 30 bits.
+    mul_high_both_31(ratio << 3, DEPTHS << 14) >> 12
 }
 
 /// How far z may exceed w by the rounding of the matrix before a vertex counts as before the near

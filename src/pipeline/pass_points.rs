@@ -99,7 +99,7 @@ where
         let mut cursor = T::Cursor::default();
         while let Some((number, [index])) = topology.next::<false>(&mut cursor) {
             state.counter().event(Event::Point);
-            let event = ready.point(index, number, size, frame, state);
+            let event = ready.inlined_point(index, number, size, frame, state);
             state.counter().event(event);
         }
     }
@@ -161,7 +161,7 @@ where
 }
 
 impl<H: Shader, P: Positions> Ready<'_, H, P> {
-    /// Draws a point of the mesh.
+    /// Draws a point of the mesh: for loops in which it has company.
     #[inline(never)]
     fn point<S, F, D>(
         &self,
@@ -176,20 +176,41 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
         F: Format,
         D: Supplies<Access<S>>,
     {
+        self.inlined_point(index, number, size, frame, state)
+    }
+
+    /// Draws a point of the mesh in place.
+    #[inline(always)]
+    fn inlined_point<S, F, D>(
+        &self,
+        index: u32,
+        number: u32,
+        size: &impl PointSize<H::Vertex>,
+        frame: &mut Frame<'_, F, D>,
+        state: &mut S,
+    ) -> Event
+    where
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
         let Self { draw, positions, mapping, area, .. } = self;
         let attribute = if draw.vertices.by_face { number } else { index };
-        let Some(clip) = positions.clip(index) else { return Event::Skipped };
         let Some(attributes) = draw.vertices.attributes.get(attribute as usize) else {
             return Event::Skipped;
         };
-        let Some(place) = mapping.point(&clip) else { return Event::Outside };
+        let place = match positions.point(index, mapping) {
+            Ok(place) => place,
+            Err(event) => return event,
+        };
         let input = VertexInput { attributes, position: draw.position(index) };
         let size = size.size(input, place.z).clamp(0, MOST);
         let half = size.cast_signed().wrapping_add(1) >> 1;
         // Before the corner is shaded: whether any of its square may be seen.
         let is_beside = |v: i32, low: i32, high: i32| {
-            v.wrapping_add(half) < low.wrapping_mul(16)
-                || v.wrapping_sub(half) > high.wrapping_mul(16)
+            let (low, length) = (low.wrapping_mul(16), high.wrapping_sub(low).wrapping_mul(16));
+            let inside = v.wrapping_sub(low.wrapping_sub(half));
+            inside as u32 > length.wrapping_add(half.wrapping_mul(2)) as u32
         };
         if is_beside(place.x_bits(), area.left, area.right)
             || is_beside(place.y_bits(), area.top, area.bottom)

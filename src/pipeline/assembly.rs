@@ -17,9 +17,9 @@ pub(super) trait Positions {
     /// A vertex on the screen.
     fn projected(&self, index: u32, mapping: &Mapping) -> Projected;
 
-    /// A vertex as a point, and what becomes of one that is not between the near and the far plane
-    /// or not there at all.
-    fn point(&self, index: u32, mapping: &Mapping) -> Result<ScreenVertex, Event>;
+    /// Where a vertex lies as a point; what becomes of one that is not between the near and the far
+    /// plane or not there at all.
+    fn point(&self, index: u32, mapping: &Mapping, place: &mut ScreenVertex) -> Option<Event>;
 }
 
 /// Positions of a mesh through a transform: one copy for every shader that leaves them to the mesh.
@@ -44,9 +44,12 @@ impl Positions for MeshPositions<'_> {
     }
 
     #[inline(never)]
-    fn point(&self, index: u32, mapping: &Mapping) -> Result<ScreenVertex, Event> {
-        let position = self.positions.get(index as usize).ok_or(Event::Skipped)?;
-        mapping.inlined_point(&self.transform.inlined(position)).ok_or(Event::Outside)
+    fn point(&self, index: u32, mapping: &Mapping, place: &mut ScreenVertex) -> Option<Event> {
+        let Some(position) = self.positions.get(index as usize) else {
+            return Some(Event::Skipped);
+        };
+        let is_seen = mapping.inlined_point(&self.transform.inlined(position), place);
+        (!is_seen).then_some(Event::Outside)
     }
 }
 
@@ -78,6 +81,19 @@ impl Face {
         clipped: false,
         covered: false,
     };
+
+    /// Puts the triangle's corners in their places: the second and the third change them where it is
+    /// turned.
+    #[inline(always)]
+    fn place(&mut self, mapping: &Mapping, [a, b, c]: &[Projected; 3], flipped: bool) {
+        let (second, third) = (1 + usize::from(flipped), 2 - usize::from(flipped));
+        let v = &mut self.triangle.v;
+        v[0] = mapping.place(a);
+        v[second] = mapping.place(b);
+        v[third] = mapping.place(c);
+        self.triangle.flipped = flipped;
+        self.flags = a.flags() & b.flags() & c.flags();
+    }
 }
 
 /// Goes through a mesh's triangles, leaves out what cannot be seen, clips, and hands out the rest.
@@ -176,7 +192,7 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
             let corners = vertices.map(|index| vertex(cache, index, positions, &self.mapping));
             let [a, b, c] = corners;
             let any = a.flags() | b.flags() | c.flags();
-            let area = if any & flag::ALL == 0 {
+            if any & flag::ALL == 0 {
                 let area = area_in_view(&corners);
                 if area == 0 {
                     counter.event(Event::Degenerate);
@@ -186,43 +202,28 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
                     counter.event(Event::Culled);
                     continue;
                 }
-                i64::from(area)
-            } else {
-                if any & flag::INVALID != 0 {
-                    counter.event(Event::Skipped);
-                    continue;
-                }
-                if a.flags() & b.flags() & c.flags() & flag::OUTSIDE != 0 {
-                    counter.event(Event::Outside);
-                    continue;
-                }
-                let area = self.cut(positions, a, b, c, counter, face);
-                if face.clipped {
-                    break true;
-                }
-                if area == 0 {
-                    continue;
-                }
-                area
-            };
-            face.flags = a.flags() & b.flags() & c.flags();
-            // The second and the third corner change places where the triangle is turned.
-            let flipped = area < 0;
-            let (second, third) = (1 + usize::from(flipped), 2 - usize::from(flipped));
-            let v = &mut face.triangle.v;
-            v[0] = self.mapping.place(&a);
-            v[second] = self.mapping.place(&b);
-            v[third] = self.mapping.place(&c);
-            face.triangle.area = area.wrapping_abs();
-            face.triangle.flipped = flipped;
-            break true;
+                face.place(&self.mapping, &corners, area < 0);
+                face.triangle.area = area.unsigned_abs().into();
+                break true;
+            }
+            if any & flag::INVALID != 0 {
+                counter.event(Event::Skipped);
+                continue;
+            }
+            if a.flags() & b.flags() & c.flags() & flag::OUTSIDE != 0 {
+                counter.event(Event::Outside);
+                continue;
+            }
+            if self.cut(positions, a, b, c, counter, face) {
+                break true;
+            }
         };
         self.cursor = cursor;
         found
     }
 
-    /// Twice the area of the face's triangle, which lies partly beside the view; 0 if it is not
-    /// drawn. One that has to be cut becomes pieces, and the first of them the face's triangle.
+    /// Whether the face's triangle, which lies partly beside the view, is drawn. One that has to be
+    /// cut becomes pieces, and the first of them the face's triangle.
     #[inline(never)]
     fn cut<P: Positions, C: Counter>(
         &mut self,
@@ -232,19 +233,19 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
         c: Projected,
         counter: &mut C,
         face: &mut Face,
-    ) -> i64 {
+    ) -> bool {
         let area = if (a.flags() | b.flags() | c.flags()) & flag::CLIP == 0 {
             area_of(&[a, b, c])
         } else {
             let cut = self.fan.cut(&self.mapping, |index| positions.clip(index), &face.vertices);
             if cut.is_none() {
                 counter.event(Event::Skipped);
-                return 0;
+                return false;
             }
             counter.event(Event::Clipped);
             if self.fan.is_empty() {
                 counter.event(Event::Outside);
-                return 0;
+                return false;
             }
             face.clipped = true;
             self.fan.area
@@ -255,16 +256,18 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
             Event::Culled
         } else {
             if !face.clipped {
-                return area;
+                face.place(&self.mapping, &[a, b, c], area < 0);
+                face.triangle.area = area.wrapping_abs();
+                return true;
             }
             (face.covered, face.flags) = (false, 0);
             if self.fan.next(&mut face.triangle) {
-                return area;
+                return true;
             }
             Event::Outside
         };
         counter.event(event);
         face.clipped = false;
-        0
+        false
     }
 }

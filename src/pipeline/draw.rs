@@ -37,9 +37,9 @@ impl<H: Shader> Positions for Draw<'_, H> {
         }
     }
 
-    fn point(&self, index: u32, mapping: &Mapping) -> Result<ScreenVertex, Event> {
-        let clip = self.clip(index).ok_or(Event::Skipped)?;
-        mapping.point(&clip).ok_or(Event::Outside)
+    fn point(&self, index: u32, mapping: &Mapping, place: &mut ScreenVertex) -> Option<Event> {
+        let Some(clip) = self.clip(index) else { return Some(Event::Skipped) };
+        (!mapping.point(&clip, place)).then_some(Event::Outside)
     }
 }
 

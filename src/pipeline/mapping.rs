@@ -198,40 +198,42 @@ impl Mapping {
         )
     }
 
-    /// Where a point lies, however far beside the viewport; `None` if it is not between the near
-    /// and the far plane.
+    /// Where a point lies, however far beside the viewport; whether it is between the near and the
+    /// far plane.
     #[inline(never)]
-    pub(super) fn point(&self, clip: &Clip) -> Option<ScreenVertex> {
+    pub(super) fn point(&self, clip: &Clip, place: &mut ScreenVertex) -> bool {
         /// Far beyond any point's extent, and nothing overflows.
         const FARTHEST: i32 = 1 << 20;
         if self.is_behind_near(clip.z, clip.w) || clip.z < self.depth.z_min {
-            return None;
+            return false;
         }
         let (x, y, z) = self.screen(clip);
         let limit = |v: i32| v.clamp(-FARTHEST, FARTHEST);
-        Some(ScreenVertex::from_bits(
+        *place = ScreenVertex::from_bits(
             self.center_x.wrapping_add(limit(x)),
             self.center_y.wrapping_add(limit(y)),
             z,
-        ))
+        );
+        true
     }
 
     /// The same in place where no question is left.
     #[inline(always)]
-    pub(super) fn inlined_point(&self, clip: &Clip) -> Option<ScreenVertex> {
+    pub(super) fn inlined_point(&self, clip: &Clip, place: &mut ScreenVertex) -> bool {
         let Clip { x, y, z, w } = *clip;
         if w < self.easy_w || self.depth.is_row() && (z > w || z < self.depth.z_min) {
-            return self.point(clip);
+            return self.point(clip, place);
         }
-        // Below 2^27, far beyond any point's extent.
+        // Below 2^27, far beyond any point's extent too.
         let over_w = inlined_reciprocal_of_some(w as u32);
         let x = self.half_width.twice_easy(x, over_w).wrapping_add(1) >> 1;
         let y = self.half_height.twice_easy(y, over_w).wrapping_neg() >> 1;
-        Some(ScreenVertex::from_bits(
+        *place = ScreenVertex::from_bits(
             self.center_x.wrapping_add(x),
             self.center_y.wrapping_add(y),
             self.code_easy(z, over_w),
-        ))
+        );
+        true
     }
 
     /// A projected vertex as a corner for the rasterizer.

@@ -7,6 +7,7 @@ use crate::pipeline::assembly::{area_in_view, area_of};
 use crate::pipeline::projected::flag;
 use crate::pipeline::transform::Depth;
 use crate::pipeline::Clip;
+use crate::raster::ScreenVertex;
 
 /// Any viewport: small ones, long ones and large ones.
 fn any_size(random: &mut Random) -> Size {
@@ -91,4 +92,31 @@ fn areas_in_view_fit_into_32_bits() {
         }
     }
     assert!(compared > 10_000, "{compared}");
+}
+
+#[test]
+fn a_point_has_the_place_of_any_point_unless_both_are_far_beside() {
+    let mut random = Random::new(35);
+    let (mut near, mut far) = (0, 0);
+    for _ in 0..20_000 {
+        let (size, depth) = (any_size(&mut random), any_depth(&mut random));
+        let mapping = Mapping::new(-77, 500, size, depth);
+        for _ in 0..50 {
+            let clip = any_clip(&mut random, &depth);
+            let (mut one, mut other) = (ScreenVertex::default(), ScreenVertex::default());
+            let is_seen = mapping.inlined_point(&clip, &mut one);
+            assert_eq!(is_seen, mapping.point(&clip, &mut other), "{clip:?} by {mapping:?}");
+            let offsets = [
+                (one.x_bits() - mapping.center_x, other.x_bits() - mapping.center_x),
+                (one.y_bits() - mapping.center_y, other.y_bits() - mapping.center_y),
+            ];
+            for (one, other) in offsets {
+                assert_eq!(one.clamp(-(1 << 20), 1 << 20), other, "{clip:?} by {mapping:?}");
+                assert!(one.abs() <= 1 << 28, "no sum overflows");
+                *(if one == other { &mut near } else { &mut far }) += 1;
+            }
+            assert_eq!(one.z, other.z, "{clip:?} by {mapping:?}");
+        }
+    }
+    assert!(near > 500_000 && far > 1000, "{near} near, {far} far");
 }

@@ -10,6 +10,7 @@ use super::{Pass, PointSize, VertexCache};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
 use crate::math::Mat4;
+use crate::raster::ScreenVertex;
 use crate::scene::{Mesh, Topology};
 use crate::shade::{Corner, Counter, Event, Shader, State, VertexInput};
 
@@ -199,10 +200,10 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
         let Some(attributes) = draw.vertices.attributes.get(attribute as usize) else {
             return Event::Skipped;
         };
-        let place = match positions.point(index, mapping) {
-            Ok(place) => place,
-            Err(event) => return event,
-        };
+        let mut place = ScreenVertex::default();
+        if let Some(event) = positions.point(index, mapping, &mut place) {
+            return event;
+        }
         let input = VertexInput { attributes, position: draw.position(index) };
         let size = size.size(input, place.z).clamp(0, MOST);
         let half = size.cast_signed().wrapping_add(1) >> 1;

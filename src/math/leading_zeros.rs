@@ -1,6 +1,7 @@
 use super::BY_HALVES;
 
 /// Leading zeros of a byte.
+#[allow(clippy::cast_possible_truncation, reason = "at most 8")]
 static ZEROS: [u8; 256] = {
     let mut zeros = [0; 256];
     let mut byte = 0_u8;

@@ -46,7 +46,7 @@ pub(crate) const fn mul_high_31(a: u32, b: u32) -> u32 {
 #[inline(always)]
 const fn high_of_31_bits_by_halves(a: u32, b: u32) -> u32 {
     let (al, ah, bl, bh) = (a & 0xFFFF, a >> 16, b & 0xFFFF, b >> 16);
-    let middle = ah * bl + al * bh + (al * bl >> 16);
+    let middle = ah * bl + al * bh + ((al * bl) >> 16);
     ah * bh + (middle >> 16)
 }
 
@@ -64,7 +64,7 @@ pub(crate) const fn mul_high_both_31(a: u32, b: u32) -> u32 {
 #[inline(always)]
 const fn high_by_upper_half(a: u32, b: u32) -> u32 {
     let b = b >> 15;
-    ((a >> 16) * b + ((a & 0xFFFF) * b >> 16)) >> 1
+    ((a >> 16) * b + (((a & 0xFFFF) * b) >> 16)) >> 1
 }
 
 /// The upper 32 bits of the product of two numbers that are not negative, as signed; the second must
@@ -111,7 +111,7 @@ pub(crate) const fn mul_high_signed(a: i32, b: u32) -> i32 {
 #[allow(clippy::cast_possible_wrap, reason = "halves")]
 const fn high_of_30_bits_by_halves(a: i32, b: u32) -> i32 {
     let (al, ah, bl, bh) = (a & 0xFFFF, a >> 16, (b & 0xFFFF) as i32, (b >> 16) as i32);
-    let low = (al as u32 * bl as u32 >> 16) as i32;
+    let low = ((al as u32 * bl as u32) >> 16) as i32;
     ah * bh + ((ah * bl + (al * bh + low)) >> 16)
 }
 

@@ -1,5 +1,7 @@
 //! What is projected in place has the bits of what is projected with all questions asked.
 
+#![allow(clippy::cast_possible_truncation, reason = "numbers are cut to what is wanted")]
+
 use super::Mapping;
 use crate::frame::{Size, MAX_SIDE};
 use crate::math::hard_numbers::Random;
@@ -31,12 +33,12 @@ fn any_depth(random: &mut Random) -> Depth {
 /// Any position, most of them in view or at its ends.
 fn any_clip(random: &mut Random, depth: &Depth) -> Clip {
     let w = (random.word().cast_signed() >> 2) >> (random.word() % 31);
-    let w = if random.word() % 8 == 0 { w } else { w.max(depth.w_min) };
+    let w = if random.word().is_multiple_of(8) { w } else { w.max(depth.w_min) };
     let mut coordinate = || match random.word() % 8 {
         0 => random.word().cast_signed() >> 2,
         1 => w.wrapping_add((random.word() % 5).cast_signed() - 2),
         2 => w.wrapping_neg().wrapping_add((random.word() % 5).cast_signed() - 2),
-        _ => (i64::from(random.word().cast_signed()) * i64::from(w) >> 31) as i32,
+        _ => ((i64::from(random.word().cast_signed()) * i64::from(w)) >> 31) as i32,
     };
     let [x, y, z] = [coordinate(), coordinate(), coordinate()];
     let limited = |v: i32| v.clamp(1 - Clip::LIMIT, Clip::LIMIT - 1);

@@ -24,22 +24,32 @@ pub enum Winding {
 /// [`Winding`] together, asked once a draw.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CulledWindings {
-    /// Has the sign of the areas that are left out, if any are.
-    sign: i32,
-    any: bool,
+    clockwise: bool,
+    counter_clockwise: bool,
 }
 
 impl CulledWindings {
     /// What a pass leaves out.
     pub(super) fn new(cull: Cull, front: Winding) -> Self {
-        let drops_clockwise = (cull == Cull::Back) == (front == Winding::CounterClockwise);
-        Self { sign: if drops_clockwise { 0 } else { -1 }, any: cull != Cull::None }
+        let drops = |winding| match cull {
+            Cull::None => false,
+            Cull::Back => winding != front,
+            Cull::Front => winding == front,
+        };
+        Self {
+            clockwise: drops(Winding::Clockwise),
+            counter_clockwise: drops(Winding::CounterClockwise),
+        }
     }
 
     /// Whether a triangle with an area of this sign is left out; positive areas run clockwise on
     /// the screen.
     #[inline(always)]
     pub(super) const fn contain(self, area: i32) -> bool {
-        area ^ self.sign >= 0 && self.any
+        if area < 0 {
+            self.counter_clockwise
+        } else {
+            self.clockwise
+        }
     }
 }

@@ -37,6 +37,9 @@ pub trait DepthAccess {
     /// One cell, as a row of its own.
     fn one<'a>(cells: &'a mut Self::Cells<'_>, at: usize) -> Option<Self::Cells<'a>>;
 
+    /// How many there are; `usize::MAX` of what is not touched.
+    fn length(cells: &Self::Cells<'_>) -> usize;
+
     /// The walk over a row.
     fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a>;
     /// The stored code.
@@ -68,6 +71,11 @@ impl DepthAccess for Untouched {
     #[inline(always)]
     fn part((): &mut Self::Cells<'_>, _from: usize, _length: usize) -> Option<()> {
         Some(())
+    }
+
+    #[inline(always)]
+    fn length((): &Self::Cells<'_>) -> usize {
+        usize::MAX
     }
 
     #[inline(always)]
@@ -106,6 +114,11 @@ impl DepthAccess for ReadWrite {
     }
 
     #[inline(always)]
+    fn length(cells: &Self::Cells<'_>) -> usize {
+        cells.len()
+    }
+
+    #[inline(always)]
     fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a> {
         cells.iter_mut()
     }
@@ -128,6 +141,9 @@ pub trait Supplies<A: DepthAccess> {
     /// `length` columns of held row `row` from `left` on; `None` where the buffer does not reach.
     fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<A::Cells<'_>>;
 
+    /// All cells.
+    fn all(&mut self) -> A::Cells<'_>;
+
     /// The first cells, so many of them, whatever rows they are in; `None` where there are fewer.
     fn run(&mut self, length: usize) -> Option<A::Cells<'_>>;
 
@@ -143,6 +159,9 @@ impl Supplies<Untouched> for NoDepth {
     fn cells(&mut self, _row: usize, _left: usize, _length: usize) -> Option<()> {
         Some(())
     }
+
+    #[inline(always)]
+    fn all(&mut self) {}
 
     #[inline(always)]
     fn run(&mut self, _length: usize) -> Option<()> {
@@ -167,6 +186,9 @@ impl Supplies<Untouched> for DepthBuffer<'_> {
     }
 
     #[inline(always)]
+    fn all(&mut self) {}
+
+    #[inline(always)]
     fn run(&mut self, _length: usize) -> Option<()> {
         Some(())
     }
@@ -187,6 +209,11 @@ impl Supplies<ReadWrite> for DepthBuffer<'_> {
     fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<&mut [u16]> {
         let start = row.wrapping_mul(self.stride).wrapping_add(left);
         self.codes.get_mut(start..start.wrapping_add(length))
+    }
+
+    #[inline(always)]
+    fn all(&mut self) -> &mut [u16] {
+        self.codes
     }
 
     #[inline(always)]

@@ -20,3 +20,4 @@ pub use rect::Rect;
 pub use size::Size;
 pub use stencil::{StencilBuffer, WithStencil};
 pub use view::{Frame, MAX_SIDE};
+pub(crate) use view::{Target, Window};

@@ -40,6 +40,11 @@ impl<A: DepthAccess> DepthAccess for WithStencil<A> {
     }
 
     #[inline(always)]
+    fn length((depth, values): &Self::Cells<'_>) -> usize {
+        A::length(depth).min(values.len())
+    }
+
+    #[inline(always)]
     fn iter<'a>((depth, values): Self::Cells<'a>) -> Self::Iter<'a> {
         A::iter(depth).zip(values)
     }
@@ -66,6 +71,11 @@ impl<A: DepthAccess, D: Supplies<A>> Supplies<WithStencil<A>> for StencilBuffer<
         let start = row.wrapping_mul(self.stride).wrapping_add(left);
         let values = self.values.get_mut(start..)?.get_mut(..length)?;
         Some((self.depth.cells(row, left, length)?, values))
+    }
+
+    #[inline(always)]
+    fn all(&mut self) -> (A::Cells<'_>, &mut [u8]) {
+        (self.depth.all(), self.values)
     }
 
     #[inline(always)]
@@ -97,6 +107,11 @@ macro_rules! without_stencil {
                     length: usize,
                 ) -> Option<<$access as DepthAccess>::Cells<'_>> {
                     self.depth.cells(row, left, length)
+                }
+
+                #[inline(always)]
+                fn all(&mut self) -> <$access as DepthAccess>::Cells<'_> {
+                    self.depth.all()
                 }
 
                 #[inline(always)]

@@ -53,6 +53,7 @@ impl<H: Shader> Draw<'_, H> {
     {
         let mut face = Face::NONE;
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
+        let mut target = frame.target::<Access<S>>();
         while assembly.next(positions, cache.entries, state.counter(), &mut face) {
             let traversal = state.traversal();
             traversal.start(&mut walk, &face.triangle, &assembly.area, &mut batch);
@@ -80,7 +81,7 @@ impl<H: Shader> Draw<'_, H> {
                 state.counter().event(Event::Drawn);
             }
             Fill { triangle: &face.triangle, corners: &corners, provoking: &provoking }.draw(
-                frame,
+                &mut target,
                 state,
                 &self.bound(),
                 &mut walk,

@@ -161,7 +161,7 @@ impl<S: State> Pass<'_, S> {
         let mut band = list.band(frame.picture(), frame.first_row(), height)?;
         let end = i32::from(frame.first_row()).wrapping_add(height.into());
         let area = frame.scissor().intersection(*area);
-        let state = &mut self.state;
+        let (state, target) = (&mut self.state, &mut frame.target::<Access<S>>());
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         while let Some(number) = list.next(&mut band) {
             let Some((recorded, bottom)) = list.recorded(number) else { break };
@@ -172,7 +172,7 @@ impl<S: State> Pass<'_, S> {
             state.traversal().start(&mut walk, triangle, &area, &mut batch);
             if !batch.is_empty() {
                 let fill = Fill { triangle, corners, provoking };
-                fill.draw(frame, state, &bound, &mut walk, &mut batch);
+                fill.draw(target, state, &bound, &mut walk, &mut batch);
             }
         }
         Ok(())

@@ -7,7 +7,7 @@ use crate::frame::{Frame, Size, Supplies};
 use crate::math::{Mat4, Vec3};
 #[cfg(doc)]
 use crate::raster::PointSquare;
-use crate::raster::{ScreenVertex, SpanBatch, Traversal, Triangle};
+use crate::raster::{Fit, Guard, ScreenVertex, SpanBatch, Traversal, Triangle};
 use crate::shade::{
     Blend, Bound, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event,
     Fragments, Output, Shader, State, States, Stats,
@@ -284,20 +284,24 @@ impl<S: State> ScreenPass<S> {
         let bound = &Bound { shader, prepared };
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         let culled = CulledWindings::new(self.cull, self.front);
-        let area = frame.scissor();
+        let (area, guard) = (frame.scissor(), Guard::about(frame.picture()));
+        let mut target = frame.target::<Access<S>>();
+        let mut triangle = Triangle::EMPTY;
+        let triangle = &mut triangle;
         for [(a, p), (b, q), (c, r)] in triangles {
             let counter = self.state.counter();
             counter.event(Event::Triangle);
-            let vertices = [*a, *b, *c];
-            if !Triangle::in_range(&vertices, frame.picture()) {
-                counter.event(Event::Skipped);
-                continue;
+            match triangle.set([a, b, c], &guard) {
+                Fit::Ready => {}
+                Fit::Beyond => {
+                    counter.event(Event::Skipped);
+                    continue;
+                }
+                Fit::Degenerate => {
+                    counter.event(Event::Degenerate);
+                    continue;
+                }
             }
-            let triangle = Triangle::oriented(vertices);
-            let Some(triangle) = &triangle else {
-                counter.event(Event::Degenerate);
-                continue;
-            };
             if culled.contain(if triangle.flipped { -1 } else { 1 }) {
                 counter.event(Event::Culled);
                 continue;
@@ -310,7 +314,7 @@ impl<S: State> ScreenPass<S> {
             self.state.counter().event(Event::Drawn);
             let ordered = if triangle.flipped { [*p, *r, *q] } else { [*p, *q, *r] };
             Fill { triangle, corners: &ordered, provoking: p }.draw(
-                frame,
+                &mut target,
                 &mut self.state,
                 bound,
                 &mut walk,

@@ -177,14 +177,8 @@ fn smooth_planes(
     let value = |first: u32, slopes: &Slopes| first.wrapping_add(slopes.to_center.cast_unsigned());
     let blue_value = value(first & 0xFFFF_0000, &blue);
     let red_value = value(first << 16, &red);
-    let fine = in_pieces.then(|| {
-        let plane = |value, slopes: &Slopes| {
-            gradients.plane_at(value, slopes.dx.cast_unsigned(), slopes.dy.cast_unsigned())
-        };
-        [plane(blue_value, &blue), plane(red_value, &red)]
-    });
     let green = gradients.slopes(high(b.green, a.green), high(c.green, a.green));
-    SmoothColorPlanes {
+    let mut planes = SmoothColorPlanes {
         blue_red: gradients.plane_at(
             packed(blue_value, red_value),
             packed_slope(blue.dx, red.dx),
@@ -195,6 +189,13 @@ fn smooth_planes(
             green.dx.cast_unsigned(),
             green.dy.cast_unsigned(),
         ),
-        fine,
+        fine: None,
+    };
+    if in_pieces {
+        let plane = |value, slopes: &Slopes| {
+            gradients.plane_at(value, slopes.dx.cast_unsigned(), slopes.dy.cast_unsigned())
+        };
+        planes.fine = Some([plane(blue_value, &blue), plane(red_value, &red)]);
     }
+    planes
 }

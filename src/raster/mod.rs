@@ -13,6 +13,7 @@
 
 mod coverage;
 mod edge;
+mod few;
 mod gradients;
 mod line;
 mod long_edge;

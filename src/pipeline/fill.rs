@@ -24,9 +24,9 @@ pub(super) struct Fill<'a, V: Varying> {
 #[inline(always)]
 pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
     let [a, b, c] = &triangle.v;
-    let mut plane = gradients.plane(a.z, b.z, c.z);
-    plane.origin = plane.origin.wrapping_add(0x8000);
-    plane
+    let from = i32::from(a.z);
+    let rise = |z: u16| i32::from(z).wrapping_sub(from);
+    gradients.plane_from(u32::from(a.z) << 16 | 0x8000, rise(b.z), rise(c.z))
 }
 
 /// The same where nothing else is interpolated: a triangle of one depth needs no gradients.
@@ -167,17 +167,7 @@ impl<V: Varying> Fill<'_, V> {
                     ready.draw::<H, S, F>(batch.spans(), window, state, shader)
                 }
                 target => {
-                    let length = if in_pieces { V::PIECE } else { ENDLESS };
-                    batch.spans().iter().try_for_each(|span| {
-                        pieces(span, length).try_for_each(|(start, piece)| {
-                            if in_pieces {
-                                V::settle(&mut ready.planes, start, piece.y);
-                            }
-                            target.on(&piece, |window| {
-                                ready.draw::<H, S, F>(&[piece], window, state, shader)
-                            })
-                        })
-                    })
+                    ready.draw_pieces::<H, S, F, D>(batch.spans(), in_pieces, target, state, shader)
                 }
             };
             if drawn.is_none() || batch.is_last() {
@@ -217,6 +207,36 @@ struct Ready<V: Varying> {
 }
 
 impl<V: Varying> Ready<V> {
+    /// Draws spans one by one, in pieces where planes are to be settled on each; `None` if the
+    /// frame does not reach so far.
+    ///
+    /// Apart, so that other triangles do not pay for it.
+    #[inline(never)]
+    fn draw_pieces<H, S, F, D>(
+        &mut self,
+        spans: &[Span],
+        in_pieces: bool,
+        target: &mut Target<'_, '_, F, D, Access<S>>,
+        state: &mut S,
+        shader: &H,
+    ) -> Option<()>
+    where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        let length = if in_pieces { V::PIECE } else { ENDLESS };
+        spans.iter().try_for_each(|span| {
+            pieces(span, length).try_for_each(|(start, piece)| {
+                if in_pieces {
+                    V::settle(&mut self.planes, start, piece.y);
+                }
+                target.on(&piece, |window| self.draw::<H, S, F>(&[piece], window, state, shader))
+            })
+        })
+    }
+
     /// Draws spans; `None` if the frame does not reach so far.
     ///
     /// Apart from the walk, so that the registers are the pixel loop's.

@@ -163,9 +163,21 @@ impl Gradients {
         if let Some(exact) = &self.exact {
             exact.slopes(d1, d2)
         } else {
-            let sum = |[p, q]: [i32; 2]| weighted_sum(d1, p, d2, q).wrapping_shl(self.up);
-            Slopes { dx: sum(self.column), dy: sum(self.row), to_center: sum(self.center) }
+            self.weighted_slopes(d1, d2)
         }
+    }
+
+    /// The same where they are [not exact](Self::are_exact).
+    #[inline(always)]
+    pub(crate) fn weighted_slopes(&self, d1: i32, d2: i32) -> Slopes {
+        let sum = |[p, q]: [i32; 2]| weighted_sum(d1, p, d2, q).wrapping_shl(self.up);
+        Slopes { dx: sum(self.column), dy: sum(self.row), to_center: sum(self.center) }
+    }
+
+    /// Whether the triangle is too large or too thin for weights.
+    #[inline(always)]
+    pub(crate) const fn are_exact(&self) -> bool {
+        self.exact.is_some()
     }
 }
 

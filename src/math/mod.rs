@@ -60,5 +60,5 @@ pub use vec3::Vec3;
 pub use vec4::Vec4;
 pub(crate) use whole::whole;
 pub(crate) use wide::{
-    mul_high_31, mul_high_positive, mul_high_signed, weight, weighted_sum, wide_product, BY_HALVES,
+    mul_high_31, mul_high_positive, mul_high_signed, weight, weighted_sum, BY_HALVES,
 };

@@ -27,9 +27,11 @@ pub(super) fn take_few(triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) 
     if width <= 0 || height <= 0 {
         return true;
     }
-    let is_few = width <= 2 && height <= 2;
-    let is_within = left >= area.left && right <= area.right;
-    if !is_few || !is_within || top < area.top || bottom > area.bottom {
+    // Below zero where something is too much.
+    let left_over = left.wrapping_sub(area.left) | top.wrapping_sub(area.top);
+    let right_over = area.right.wrapping_sub(right) | area.bottom.wrapping_sub(bottom);
+    let size_over = 2_i32.wrapping_sub(width) | 2_i32.wrapping_sub(height);
+    if left_over | right_over | size_over < 0 {
         return false;
     }
     // From the first corner to the first centre.

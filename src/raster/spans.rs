@@ -74,6 +74,10 @@ struct Descent {
 impl Spans {
     /// Starts on a triangle, limited to `area`, and takes its first spans: none if no pixel of it
     /// is covered. A short triangle ends here, and the walk stays as it is.
+    ///
+    /// # Range
+    /// Corners in the square of [`GUARD`](super::GUARD), as in all triangles that are drawn; sides
+    /// of `area` below 2^30 in magnitude.
     #[inline(never)]
     pub fn start(&mut self, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
         batch.clear();

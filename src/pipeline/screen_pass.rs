@@ -7,7 +7,7 @@ use crate::frame::{Frame, Size, Supplies};
 use crate::math::{Mat4, Vec3};
 #[cfg(doc)]
 use crate::raster::PointSquare;
-use crate::raster::{Fit, Guard, ScreenVertex, SpanBatch, Traversal, Triangle};
+use crate::raster::{Fit, Fitted, ScreenVertex, SpanBatch, Traversal};
 use crate::shade::{
     Blend, Bound, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event,
     Fragments, Output, Shader, State, States, Stats,
@@ -284,14 +284,12 @@ impl<S: State> ScreenPass<S> {
         let bound = &Bound { shader, prepared };
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         let culled = CulledWindings::new(self.cull, self.front);
-        let (area, guard) = (frame.scissor(), Guard::about(frame.picture()));
+        let (area, mut fitted) = (frame.scissor(), Fitted::new(frame.picture()));
         let mut target = frame.target::<Access<S>>();
-        let mut triangle = Triangle::EMPTY;
-        let triangle = &mut triangle;
         for [(a, p), (b, q), (c, r)] in triangles {
             let counter = self.state.counter();
             counter.event(Event::Triangle);
-            match triangle.set([a, b, c], &guard) {
+            match fitted.set(a, b, c) {
                 Fit::Ready => {}
                 Fit::Beyond => {
                     counter.event(Event::Skipped);
@@ -302,6 +300,7 @@ impl<S: State> ScreenPass<S> {
                     continue;
                 }
             }
+            let triangle = &fitted.triangle;
             if culled.contain(if triangle.flipped { -1 } else { 1 }) {
                 counter.event(Event::Culled);
                 continue;

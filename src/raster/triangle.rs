@@ -70,6 +70,47 @@ impl Guard {
 
 const _: () = assert!(SIDE.is_power_of_two(), "one question serves");
 
+/// A triangle of corners that may be anywhere, and the square in which they must lie.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fitted {
+    guard: Guard,
+    /// The triangle, where there is one.
+    pub(crate) triangle: Triangle,
+}
+
+impl Fitted {
+    /// No triangle yet, of a picture.
+    pub(crate) fn new(picture: Size) -> Self {
+        Self { guard: Guard::about(picture), triangle: Triangle::EMPTY }
+    }
+
+    /// Puts three corners, in any order, in place of the one before; says whether there is a triangle.
+    ///
+    /// # Cost
+    /// Some 60 instructions on Cortex-M4. One copy for all shaders.
+    #[inline(never)]
+    pub(crate) fn set(&mut self, a: &ScreenVertex, b: &ScreenVertex, c: &ScreenVertex) -> Fit {
+        if !self.guard.contains(a, b, c) {
+            return Fit::Beyond;
+        }
+        let area = area_of_sides(
+            b.x_bits().wrapping_sub(a.x_bits()),
+            b.y_bits().wrapping_sub(a.y_bits()),
+            c.x_bits().wrapping_sub(a.x_bits()),
+            c.y_bits().wrapping_sub(a.y_bits()),
+        );
+        if area == 0 {
+            return Fit::Degenerate;
+        }
+        let (flipped, triangle) = (area < 0, &mut self.triangle);
+        let (second, third) = if flipped { (c, b) } else { (b, c) };
+        triangle.v = [*a, *second, *third];
+        triangle.area = if flipped { area.wrapping_neg() } else { area };
+        triangle.flipped = flipped;
+        Fit::Ready
+    }
+}
+
 /// What became of three corners that were to be a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fit {
@@ -112,33 +153,6 @@ impl Triangle {
     /// Whether all corners lie in the square of [`GUARD`] about the centre of `picture`.
     pub fn in_range(v: &[ScreenVertex; 3], picture: Size) -> bool {
         v.iter().all(|v| v.in_range(picture))
-    }
-
-    /// Puts three corners, in any order, in this one's place; says whether there is a triangle.
-    ///
-    /// # Cost
-    /// Some 60 instructions on Cortex-M4. One copy for all shaders.
-    #[inline(never)]
-    pub(crate) fn set(&mut self, corners: [&ScreenVertex; 3], guard: &Guard) -> Fit {
-        let [a, b, c] = corners;
-        if !guard.contains(a, b, c) {
-            return Fit::Beyond;
-        }
-        let area = area_of_sides(
-            b.x_bits().wrapping_sub(a.x_bits()),
-            b.y_bits().wrapping_sub(a.y_bits()),
-            c.x_bits().wrapping_sub(a.x_bits()),
-            c.y_bits().wrapping_sub(a.y_bits()),
-        );
-        if area == 0 {
-            return Fit::Degenerate;
-        }
-        let flipped = area < 0;
-        let (second, third) = if flipped { (c, b) } else { (b, c) };
-        self.v = [*a, *second, *third];
-        self.area = if flipped { area.wrapping_neg() } else { area };
-        self.flipped = flipped;
-        Fit::Ready
     }
 
     /// Takes three corners that lie in range, in any order; `None` if the area is zero.
@@ -197,14 +211,14 @@ mod tests {
                 let (x, y) = (axis(picture.width), axis(picture.height));
                 ScreenVertex::from_bits(x, y, z)
             });
-            let mut triangle = Triangle::EMPTY;
-            let fit = triangle.set([&v[0], &v[1], &v[2]], &Guard::about(picture));
+            let mut fitted = Fitted::new(picture);
+            let fit = fitted.set(&v[0], &v[1], &v[2]);
             let (expected, made) = match Triangle::oriented(v) {
                 _ if !Triangle::in_range(&v, picture) => (Fit::Beyond, Triangle::EMPTY),
                 None => (Fit::Degenerate, Triangle::EMPTY),
                 Some(made) => (Fit::Ready, made),
             };
-            assert_eq!((fit, triangle), (expected, made), "{v:?} in {picture:?}");
+            assert_eq!((fit, fitted.triangle), (expected, made), "{v:?} in {picture:?}");
             seen[fit as usize] += 1;
         }
         assert!(seen.iter().all(|count| *count > 400), "{seen:?}");

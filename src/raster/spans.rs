@@ -37,18 +37,13 @@ pub(crate) const fn first_center(bits: i32) -> i32 {
 /// Takes the rows from `y` to `end` between two edges: those that hold a pixel, while there are
 /// places.
 #[inline(always)]
-fn take_rows<E: Edge>(
-    left: &mut E,
-    right: &mut E,
-    mut y: i32,
-    end: i32,
-    places: &mut core::slice::IterMut<'_, Span>,
-) {
+fn take_rows<E: Edge>(left: &mut E, right: &mut E, mut y: i32, end: i32, places: &mut &mut [Span]) {
     while y < end {
         let (first, behind) = (left.column(), right.column());
         if first < behind {
-            let Some(place) = places.next() else { return };
+            let [place, more @ ..] = core::mem::take(places) else { return };
             *place = Span { y, first, left: first, right: behind, behind };
+            *places = more;
         }
         left.step();
         right.step();
@@ -106,7 +101,10 @@ impl Spans {
         }
         let turn = first_center(middle.y).max(area.top).min(end);
         let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
-        let reaches_beyond = first_center(least) < area.left || first_center(most) > area.right;
+        // Below zero where the triangle reaches beyond a side.
+        let left_over = first_center(least).wrapping_sub(area.left);
+        let right_over = area.right.wrapping_sub(first_center(most));
+        let reaches_beyond = left_over | right_over < 0;
         // Made where it is used, so that a short triangle's never goes through memory.
         let descent = || Descent { high, middle, low, turns_right, start, turn, end };
         if low.y.wrapping_sub(high.y) <= TALLEST && most.wrapping_sub(least) < WIDEST {
@@ -127,7 +125,7 @@ impl Descent {
     #[inline(always)]
     fn take_short(&self, batch: &mut SpanBatch) {
         let mut long = ShortEdge::new(self.high, self.low, self.start);
-        let mut places = batch.spans.iter_mut();
+        let mut places = batch.spans.as_mut_slice();
         let (mut from, mut to, mut y, mut stop) = (self.high, self.middle, self.start, self.turn);
         if y >= stop {
             (from, to, stop) = (self.middle, self.low, self.end);
@@ -174,7 +172,7 @@ impl Spans {
     )]
     fn take(&mut self, batch: &mut SpanBatch) {
         batch.clear();
-        let mut places = batch.spans.iter_mut();
+        let mut places = batch.spans.as_mut_slice();
         loop {
             // Rows down to the turn, or as many as fit. Copies of the edges stay in registers.
             let end = self.turn.min(self.y.wrapping_add(places.len() as i32));

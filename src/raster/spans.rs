@@ -8,8 +8,8 @@ use crate::math::BY_HALVES;
 /// along the edges, so that no pixel is tested.
 ///
 /// # Cost
-/// On Cortex-M4 9 instructions a row of a short triangle and 9 more where it holds a pixel, after
-/// some 190 to start; one division an edge, by a table where the core has none. There, triangles of
+/// On Cortex-M4 8 instructions a row of a short triangle and 9 more where it holds a pixel, after
+/// some 180 to start; one division an edge, by a table where the core has none. There, triangles of
 /// two by two pixels at most do without, by edge functions. Not generic, so that one copy serves
 /// every shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
@@ -192,7 +192,7 @@ impl Spans {
                     self.left = second;
                 }
             }
-            if places.len() == 0 {
+            if places.is_empty() {
                 batch.last = false;
                 break;
             }

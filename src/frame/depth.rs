@@ -21,6 +21,8 @@ pub trait DepthAccess {
     const TOUCHES: bool;
     /// Whether depth is.
     const HAS_DEPTH: bool;
+    /// Whether stencil values are.
+    const HAS_STENCIL: bool;
     /// A row of cells.
     type Cells<'a>;
     /// What one pixel has.
@@ -59,6 +61,7 @@ pub struct ReadWrite;
 impl DepthAccess for Untouched {
     const TOUCHES: bool = false;
     const HAS_DEPTH: bool = false;
+    const HAS_STENCIL: bool = false;
     type Cells<'a> = ();
     type Cell<'a> = ();
     type Iter<'a> = Repeat<()>;
@@ -95,6 +98,7 @@ impl DepthAccess for Untouched {
 impl DepthAccess for ReadWrite {
     const TOUCHES: bool = true;
     const HAS_DEPTH: bool = true;
+    const HAS_STENCIL: bool = false;
     type Cells<'a> = &'a mut [u16];
     type Cell<'a> = &'a mut u16;
     type Iter<'a> = IterMut<'a, u16>;

@@ -21,6 +21,7 @@ pub struct WithStencil<A>(A);
 impl<A: DepthAccess> DepthAccess for WithStencil<A> {
     const TOUCHES: bool = true;
     const HAS_DEPTH: bool = A::HAS_DEPTH;
+    const HAS_STENCIL: bool = true;
     type Cells<'a> = (A::Cells<'a>, &'a mut [u8]);
     type Cell<'a> = (A::Cell<'a>, &'a mut u8);
     type Iter<'a> = Zip<A::Iter<'a>, IterMut<'a, u8>>;

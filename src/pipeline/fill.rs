@@ -262,9 +262,11 @@ impl<V: Varying> Ready<V> {
             // each pixel.
             core::hint::black_box(&mut spans);
         }
-        // Where there are few registers and many planes, these stay where they are.
-        let Self { planes, z_plane } =
-            if V::IN_RUNS && BY_HALVES { core::hint::black_box(self) } else { self };
+        // Where the pixel loop needs many registers, planes stay where they are.
+        let is_rich = !S::Output::PLAIN || <Access<S>>::HAS_STENCIL;
+        let is_long =
+            if BY_HALVES { is_rich || V::IN_RUNS } else { is_rich && !<Access<S>>::HAS_DEPTH };
+        let Self { planes, z_plane } = if is_long { core::hint::black_box(self) } else { self };
         for span in spans.by_ref() {
             let Span { y, left, right, .. } = *span;
             let (pixels, cells) = window.row(y, left, right)?;

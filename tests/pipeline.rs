@@ -436,15 +436,29 @@ fn buffers_that_do_not_fit_are_refused_with_what_was_needed() {
 
 #[test]
 fn gaps_between_rows_are_never_touched() {
-    let (mut pixels, mut depth) = (vec![0xABCD_u16; 80 * 48], vec![0x1234_u16; 70 * 48]);
-    let frame = Frame::<Rgb565>::with_stride(&mut pixels, SIZE, 80).expect("the buffer fits");
-    let mut frame = frame.with_depth_stride(&mut depth, 70).expect("the buffer fits");
-    frame.clear(Rgb::BLACK);
     let camera = Camera::perspective(45.0.degrees(), 0.5);
     let near = Mat4::translation(Vec3::new(0.0, 0.0, -2.0));
-    Pass::new(&camera).depth(Less).draw(&mut frame, &near, &TEAPOT, &Gouraud::lit(&[sun()]));
-    let gap = |i: usize, stride: usize| i % stride >= 64;
-    assert!(pixels.iter().enumerate().all(|(i, p)| !gap(i, 80) || *p == 0xABCD), "colour");
-    assert!(depth.iter().enumerate().all(|(i, d)| !gap(i, 70) || *d == 0x1234), "depth");
-    assert!(pixels.iter().filter(|p| **p != 0 && **p != 0xABCD).count() > 1_000, "a teapot");
+    let draw = |strides: [usize; 2]| {
+        let (mut pixels, mut depth) =
+            (vec![0xABCD_u16; strides[0] * 48], vec![0x1234_u16; strides[1] * 48]);
+        let [color, codes] = strides.map(|stride| stride as u32);
+        let frame = Frame::<Rgb565>::with_stride(&mut pixels, SIZE, color).expect("it fits");
+        let mut frame = frame.with_depth_stride(&mut depth, codes).expect("it fits");
+        frame.clear(Rgb::BLACK);
+        Pass::new(&camera).depth(Less).draw(&mut frame, &near, &TEAPOT, &Gouraud::lit(&[sun()]));
+        (pixels, depth)
+    };
+    let (tight_pixels, tight_depth) = draw([64, 64]);
+    assert!(tight_pixels.iter().filter(|p| **p != 0).count() > 1_000, "a teapot");
+    for strides in [[80, 70], [64, 70], [80, 64], [80, 80]] {
+        let (pixels, depth) = draw(strides);
+        for y in 0..48 {
+            let row = |all: &[u16], stride: usize| all[y * stride..][..stride].to_vec();
+            let (colors, codes) = (row(&pixels, strides[0]), row(&depth, strides[1]));
+            assert_eq!(colors[..64], row(&tight_pixels, 64), "colour of row {y}, {strides:?}");
+            assert_eq!(codes[..64], row(&tight_depth, 64), "depth of row {y}, {strides:?}");
+            assert!(colors[64..].iter().all(|p| *p == 0xABCD), "gap of colour, {strides:?}");
+            assert!(codes[64..].iter().all(|d| *d == 0x1234), "gap of depth, {strides:?}");
+        }
+    }
 }

@@ -21,6 +21,8 @@ pub trait DepthAccess {
     const TOUCHES: bool;
     /// Whether depth is.
     const HAS_DEPTH: bool;
+    /// Whether stencil values are.
+    const HAS_STENCIL: bool;
     /// A row of cells.
     type Cells<'a>;
     /// What one pixel has.
@@ -36,6 +38,9 @@ pub trait DepthAccess {
     ) -> Option<Self::Cells<'a>>;
     /// One cell, as a row of its own.
     fn one<'a>(cells: &'a mut Self::Cells<'_>, at: usize) -> Option<Self::Cells<'a>>;
+
+    /// How many there are; `usize::MAX` of what is not touched.
+    fn length(cells: &Self::Cells<'_>) -> usize;
 
     /// The walk over a row.
     fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a>;
@@ -56,6 +61,7 @@ pub struct ReadWrite;
 impl DepthAccess for Untouched {
     const TOUCHES: bool = false;
     const HAS_DEPTH: bool = false;
+    const HAS_STENCIL: bool = false;
     type Cells<'a> = ();
     type Cell<'a> = ();
     type Iter<'a> = Repeat<()>;
@@ -68,6 +74,11 @@ impl DepthAccess for Untouched {
     #[inline(always)]
     fn part((): &mut Self::Cells<'_>, _from: usize, _length: usize) -> Option<()> {
         Some(())
+    }
+
+    #[inline(always)]
+    fn length((): &Self::Cells<'_>) -> usize {
+        usize::MAX
     }
 
     #[inline(always)]
@@ -87,6 +98,7 @@ impl DepthAccess for Untouched {
 impl DepthAccess for ReadWrite {
     const TOUCHES: bool = true;
     const HAS_DEPTH: bool = true;
+    const HAS_STENCIL: bool = false;
     type Cells<'a> = &'a mut [u16];
     type Cell<'a> = &'a mut u16;
     type Iter<'a> = IterMut<'a, u16>;
@@ -103,6 +115,11 @@ impl DepthAccess for ReadWrite {
         length: usize,
     ) -> Option<&'a mut [u16]> {
         cells.get_mut(from..)?.get_mut(..length)
+    }
+
+    #[inline(always)]
+    fn length(cells: &Self::Cells<'_>) -> usize {
+        cells.len()
     }
 
     #[inline(always)]
@@ -128,6 +145,9 @@ pub trait Supplies<A: DepthAccess> {
     /// `length` columns of held row `row` from `left` on; `None` where the buffer does not reach.
     fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<A::Cells<'_>>;
 
+    /// All cells.
+    fn all(&mut self) -> A::Cells<'_>;
+
     /// The first cells, so many of them, whatever rows they are in; `None` where there are fewer.
     fn run(&mut self, length: usize) -> Option<A::Cells<'_>>;
 
@@ -143,6 +163,9 @@ impl Supplies<Untouched> for NoDepth {
     fn cells(&mut self, _row: usize, _left: usize, _length: usize) -> Option<()> {
         Some(())
     }
+
+    #[inline(always)]
+    fn all(&mut self) {}
 
     #[inline(always)]
     fn run(&mut self, _length: usize) -> Option<()> {
@@ -167,6 +190,9 @@ impl Supplies<Untouched> for DepthBuffer<'_> {
     }
 
     #[inline(always)]
+    fn all(&mut self) {}
+
+    #[inline(always)]
     fn run(&mut self, _length: usize) -> Option<()> {
         Some(())
     }
@@ -187,6 +213,11 @@ impl Supplies<ReadWrite> for DepthBuffer<'_> {
     fn cells(&mut self, row: usize, left: usize, length: usize) -> Option<&mut [u16]> {
         let start = row.wrapping_mul(self.stride).wrapping_add(left);
         self.codes.get_mut(start..start.wrapping_add(length))
+    }
+
+    #[inline(always)]
+    fn all(&mut self) -> &mut [u16] {
+        self.codes
     }
 
     #[inline(always)]

@@ -12,6 +12,7 @@ mod rect;
 mod size;
 mod stencil;
 mod view;
+mod window;
 
 pub use bands::{Band, Bands};
 pub use depth::{DepthAccess, DepthBuffer, NoDepth, ReadWrite, Supplies, Untouched};
@@ -20,3 +21,4 @@ pub use rect::Rect;
 pub use size::Size;
 pub use stencil::{StencilBuffer, WithStencil};
 pub use view::{Frame, MAX_SIDE};
+pub(crate) use window::{Target, Window};

@@ -21,6 +21,7 @@ pub struct WithStencil<A>(A);
 impl<A: DepthAccess> DepthAccess for WithStencil<A> {
     const TOUCHES: bool = true;
     const HAS_DEPTH: bool = A::HAS_DEPTH;
+    const HAS_STENCIL: bool = true;
     type Cells<'a> = (A::Cells<'a>, &'a mut [u8]);
     type Cell<'a> = (A::Cell<'a>, &'a mut u8);
     type Iter<'a> = Zip<A::Iter<'a>, IterMut<'a, u8>>;
@@ -37,6 +38,11 @@ impl<A: DepthAccess> DepthAccess for WithStencil<A> {
     #[inline(always)]
     fn one<'a>((depth, values): &'a mut Self::Cells<'_>, at: usize) -> Option<Self::Cells<'a>> {
         Some((A::one(depth, at)?, values.get_mut(at).map(core::slice::from_mut)?))
+    }
+
+    #[inline(always)]
+    fn length((depth, values): &Self::Cells<'_>) -> usize {
+        A::length(depth).min(values.len())
     }
 
     #[inline(always)]
@@ -69,6 +75,11 @@ impl<A: DepthAccess, D: Supplies<A>> Supplies<WithStencil<A>> for StencilBuffer<
     }
 
     #[inline(always)]
+    fn all(&mut self) -> (A::Cells<'_>, &mut [u8]) {
+        (self.depth.all(), self.values)
+    }
+
+    #[inline(always)]
     fn run(&mut self, length: usize) -> Option<(A::Cells<'_>, &mut [u8])> {
         Some((self.depth.run(length)?, self.values.get_mut(..length)?))
     }
@@ -97,6 +108,11 @@ macro_rules! without_stencil {
                     length: usize,
                 ) -> Option<<$access as DepthAccess>::Cells<'_>> {
                     self.depth.cells(row, left, length)
+                }
+
+                #[inline(always)]
+                fn all(&mut self) -> <$access as DepthAccess>::Cells<'_> {
+                    self.depth.all()
                 }
 
                 #[inline(always)]

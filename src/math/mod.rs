@@ -62,5 +62,5 @@ pub use vec4::Vec4;
 pub(crate) use whole::whole;
 pub(crate) use wide::{
     mul_high_30, mul_high_31, mul_high_both_31, mul_high_positive, mul_high_signed, weight,
-    weighted_sum, wide_product, BY_HALVES,
+    weighted_sum, BY_HALVES,
 };

@@ -126,21 +126,6 @@ pub(crate) const fn mul_high_30(a: i32, b: u32) -> i32 {
     }
 }
 
-/// The product of a signed and an unsigned number.
-///
-/// `b` must be below 2^31.
-#[inline(always)]
-#[allow(clippy::cast_possible_wrap, reason = "the same bits, read as signed")]
-pub(crate) const fn wide_product(a: i32, b: u32) -> i64 {
-    if BY_HALVES {
-        let (high, low) = by_halves(a as u32, b);
-        let high = (high as i32).wrapping_sub(a >> 31 & b as i32);
-        (high as i64) << 32 | low as i64
-    } else {
-        a as i64 * b as i32 as i64
-    }
-}
-
 /// A weight as [`weighted_sum`] takes it.
 ///
 /// Where products are long, one bit higher: their upper words are then the sum, with no shift.
@@ -218,7 +203,6 @@ mod tests {
             let upper = (u64::from(a) * u64::from(half)) >> 32;
             assert_eq!(u64::from(high_by_parts(a, half)), upper, "{a:x} x {half:x}");
             assert_eq!(u64::from(mul_high_31(a, half)), upper, "{a:x} x {half:x}");
-            assert_eq!(wide_product(signed, half), exact, "{signed} x {half:x}");
             let (a, b) = (a >> 1, half);
             let upper = (u64::from(a) * u64::from(b)) >> 32;
             assert_eq!(u64::from(high_of_31_bits_by_halves(a, b)), upper, "{a:x} x {b:x}");

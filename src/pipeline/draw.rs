@@ -67,6 +67,7 @@ impl<H: Shader> Draw<'_, H> {
     {
         let mut face = Face::NONE;
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
+        let mut target = frame.target::<Access<S>>();
         while assembly.next(positions, cache.entries, state.counter(), &mut face) {
             let traversal = state.traversal();
             traversal.start(&mut walk, &face.triangle, &assembly.area, &mut batch);
@@ -97,7 +98,7 @@ impl<H: Shader> Draw<'_, H> {
                 &corners[0]
             };
             Fill { triangle: &face.triangle, corners: &corners, provoking }.draw(
-                frame,
+                &mut target,
                 state,
                 &self.bound(),
                 &mut walk,

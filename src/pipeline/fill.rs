@@ -1,5 +1,6 @@
 use crate::color::Format;
-use crate::frame::{DepthAccess, Frame, Supplies};
+use crate::frame::{DepthAccess, Supplies, Target, Window};
+use crate::math::BY_HALVES;
 use crate::raster::{
     Gradients, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
 };
@@ -23,9 +24,9 @@ pub(super) struct Fill<'a, V: Varying> {
 #[inline(always)]
 pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
     let [a, b, c] = &triangle.v;
-    let mut plane = gradients.plane(a.z, b.z, c.z);
-    plane.origin = plane.origin.wrapping_add(0x8000);
-    plane
+    let from = i32::from(a.z);
+    let rise = |z: u16| i32::from(z).wrapping_sub(from);
+    gradients.plane_from(u32::from(a.z) << 16 | 0x8000, rise(b.z), rise(c.z))
 }
 
 /// The same where nothing else is interpolated: a triangle of one depth needs no gradients.
@@ -94,7 +95,7 @@ impl<V: Varying> Fill<'_, V> {
     #[inline(always)]
     pub(super) fn draw<H, S, F, D, W>(
         &self,
-        frame: &mut Frame<'_, F, D>,
+        target: &mut Target<'_, '_, F, D, Access<S>>,
         state: &mut S,
         shader: &H,
         walk: &mut W,
@@ -106,14 +107,14 @@ impl<V: Varying> Fill<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        self.draw_all::<true, H, S, F, D, W>(frame, state, shader, walk, batch);
+        self.draw_all::<true, H, S, F, D, W>(target, state, shader, walk, batch);
     }
 
     /// The same without a polygon offset: for lines.
     #[inline(always)]
     pub(super) fn draw_unmoved<H, S, F, D, W>(
         &self,
-        frame: &mut Frame<'_, F, D>,
+        target: &mut Target<'_, '_, F, D, Access<S>>,
         state: &mut S,
         shader: &H,
         walk: &mut W,
@@ -125,14 +126,14 @@ impl<V: Varying> Fill<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        self.draw_all::<false, H, S, F, D, W>(frame, state, shader, walk, batch);
+        self.draw_all::<false, H, S, F, D, W>(target, state, shader, walk, batch);
     }
 
     /// One copy of this, with the pixel loop inlined, is what a shader and state cost in flash.
     #[inline(never)]
     fn draw_all<const MOVES: bool, H, S, F, D, W>(
         &self,
-        frame: &mut Frame<'_, F, D>,
+        target: &mut Target<'_, '_, F, D, Access<S>>,
         state: &mut S,
         shader: &H,
         walk: &mut W,
@@ -153,24 +154,21 @@ impl<V: Varying> Fill<'_, V> {
             Plane::default()
         };
         let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
-        let mut planes = if H::COLOR_AS_IS && state.parts().1.dims() {
+        let planes = if H::COLOR_AS_IS && state.parts().1.dims() {
             let dimmed = self.corners.each_ref().map(V::dim::<F>);
             V::planes(&gradients, &dimmed, self.provoking, in_pieces)
         } else {
             V::planes(&gradients, self.corners, self.provoking, in_pieces)
         };
+        let mut ready = Ready::<V> { planes, z_plane };
         loop {
-            let drawn = if in_pieces {
-                batch.spans().iter().try_for_each(|span| {
-                    pieces(span, V::PIECE).try_for_each(|(start, piece)| {
-                        V::settle(&mut planes, start, piece.y);
-                        let ready = Ready { planes: &planes, z_plane: &z_plane };
-                        ready.draw::<H, S, F, D>(&[piece], frame, state, shader)
-                    })
-                })
-            } else {
-                let ready = Ready { planes: &planes, z_plane: &z_plane };
-                ready.draw::<H, S, F, D>(batch.spans(), frame, state, shader)
+            let drawn = match &mut *target {
+                Target::Whole(window) if !in_pieces => {
+                    ready.draw::<H, S, F>(batch.spans(), window, state, shader)
+                }
+                target => {
+                    ready.draw_pieces::<H, S, F, D>(batch.spans(), in_pieces, target, state, shader)
+                }
             };
             if drawn.is_none() || batch.is_last() {
                 return;
@@ -199,21 +197,26 @@ fn pieces(span: &Span, length: i32) -> impl Iterator<Item = (i32, Span)> {
     })
 }
 
+/// Longer than any row, and nothing overflows.
+const ENDLESS: i32 = 1 << 20;
+
 /// A triangle's planes, ready for its spans.
-struct Ready<'a, V: Varying> {
-    planes: &'a V::Planes,
-    z_plane: &'a Plane,
+struct Ready<V: Varying> {
+    planes: V::Planes,
+    z_plane: Plane,
 }
 
-impl<V: Varying> Ready<'_, V> {
-    /// Draws spans; `None` if the frame does not reach so far.
+impl<V: Varying> Ready<V> {
+    /// Draws spans one by one, in pieces where planes are to be settled on each; `None` if the
+    /// frame does not reach so far.
     ///
-    /// Apart from the walk, so that the registers are the pixel loop's.
+    /// Apart, so that other triangles do not pay for it.
     #[inline(never)]
-    fn draw<H, S, F, D>(
-        &self,
+    fn draw_pieces<H, S, F, D>(
+        &mut self,
         spans: &[Span],
-        frame: &mut Frame<'_, F, D>,
+        in_pieces: bool,
+        target: &mut Target<'_, '_, F, D, Access<S>>,
         state: &mut S,
         shader: &H,
     ) -> Option<()>
@@ -223,16 +226,56 @@ impl<V: Varying> Ready<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
+        let length = if in_pieces { V::PIECE } else { ENDLESS };
+        spans.iter().try_for_each(|span| {
+            pieces(span, length).try_for_each(|(start, piece)| {
+                if in_pieces {
+                    V::settle(&mut self.planes, start, piece.y);
+                }
+                target.on(&piece, |window| self.draw::<H, S, F>(&[piece], window, state, shader))
+            })
+        })
+    }
+
+    /// Draws spans; `None` if the frame does not reach so far.
+    ///
+    /// Apart from the walk, so that the registers are the pixel loop's.
+    #[inline(never)]
+    fn draw<H, S, F>(
+        &self,
+        spans: &[Span],
+        window: &mut Window<'_, F, Access<S>>,
+        state: &mut S,
+        shader: &H,
+    ) -> Option<()>
+    where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+    {
         let (depth, output, counter) = state.parts();
-        for span in spans {
+        let mut window = window.level()?;
+        let mut spans = spans.iter();
+        if V::INTERPOLATED && !BY_HALVES {
+            // Kept in memory, which the pixel loop may change for all that the compiler knows:
+            // otherwise it has a register in that loop, and what the loop needs is made anew for
+            // each pixel.
+            core::hint::black_box(&mut spans);
+        }
+        // Where the pixel loop needs many registers, planes stay where they are.
+        let is_rich = !S::Output::PLAIN || <Access<S>>::HAS_STENCIL;
+        let is_long =
+            if BY_HALVES { is_rich || V::IN_RUNS } else { is_rich && !<Access<S>>::HAS_DEPTH };
+        let Self { planes, z_plane } = if is_long { core::hint::black_box(self) } else { self };
+        for span in spans.by_ref() {
             let Span { y, left, right, .. } = *span;
-            let (pixels, cells) = frame.row_with_depth::<Access<S>>(y, left, right)?;
+            let (pixels, cells) = window.row(y, left, right)?;
+            let mut runs = V::runs(planes, span);
             if V::IN_RUNS {
                 let mut cells = cells;
-                let mut runs = V::runs(self.planes, span);
                 let mut x = left;
                 while x < right {
-                    let (varying, step, end) = V::run(self.planes, &mut runs, span, x);
+                    let (varying, step, end) = V::run(planes, &mut runs, span, x);
                     let end = end.min(right);
                     let (from, length) = (x.wrapping_sub(left), end.wrapping_sub(x));
                     let (from, length) = (from as usize, length as usize);
@@ -243,8 +286,8 @@ impl<V: Varying> Ready<'_, V> {
                         y,
                         pixels,
                         cells,
-                        z: self.z_plane.at(x, y),
-                        z_step: self.z_plane.dx,
+                        z: z_plane.at(x, y),
+                        z_step: z_plane.dx,
                         varying,
                         step,
                         depth,
@@ -255,15 +298,14 @@ impl<V: Varying> Ready<'_, V> {
                 }
                 continue;
             }
-            let mut runs = V::runs(self.planes, span);
-            let (varying, step, _) = V::run(self.planes, &mut runs, span, left);
+            let (varying, step, _) = V::run(planes, &mut runs, span, left);
             shader.span(Row::<S, F, V> {
                 x: left,
                 y,
                 pixels,
                 cells,
-                z: self.z_plane.at(left, y),
-                z_step: self.z_plane.dx,
+                z: z_plane.at(left, y),
+                z_step: z_plane.dx,
                 varying,
                 step,
                 depth,

@@ -10,7 +10,7 @@ use super::pass::SetUp;
 use super::transform::Transform;
 use super::{DisplayList, ListError, Pass, VertexCache};
 use crate::color::Format;
-use crate::frame::{Frame, Rect, Size, Supplies};
+use crate::frame::{Frame, Rect, Size, Supplies, Target};
 use crate::math::Mat4;
 use crate::raster::{ScreenVertex, SpanBatch, Traversal};
 use crate::scene::{Mesh, Topology};
@@ -50,7 +50,7 @@ impl<H: Shader> Recording<'_, H> {
 
 /// Draws recorded triangles into a band.
 struct Replay<'r, 'f, S: State, F: Format, D> {
-    frame: &'r mut Frame<'f, F, D>,
+    target: Target<'r, 'f, F, D, Access<S>>,
     state: &'r mut S,
     area: Rect,
     walk: Walk<S>,
@@ -61,16 +61,17 @@ impl<'r, 'f, S: State, F: Format, D: Supplies<Access<S>>> Replay<'r, 'f, S, F, D
     /// Within `area`, as far as the frame reaches.
     fn new(frame: &'r mut Frame<'f, F, D>, state: &'r mut S, area: Rect) -> Self {
         let area = frame.scissor().intersection(area);
-        Self { frame, state, area, walk: Walk::<S>::default(), batch: SpanBatch::default() }
+        let target = frame.target();
+        Self { target, state, area, walk: Walk::<S>::default(), batch: SpanBatch::default() }
     }
 
     #[inline(always)]
     fn draw<H: Shader>(&mut self, recorded: &Recorded<Corner<H::Varying>>, bound: &Bound<'_, H>) {
-        let Self { frame, state, area, walk, batch } = self;
+        let Self { target, state, area, walk, batch } = self;
         let Recorded { triangle, corners, provoking } = recorded;
         state.traversal().start(walk, triangle, area, batch);
         if !batch.is_empty() {
-            Fill { triangle, corners, provoking }.draw(frame, *state, bound, walk, batch);
+            Fill { triangle, corners, provoking }.draw(target, *state, bound, walk, batch);
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::frame::{Frame, Size, Supplies};
 use crate::math::{Mat4, Vec3};
 #[cfg(doc)]
 use crate::raster::PointSquare;
-use crate::raster::{ScreenVertex, SpanBatch, Traversal, Triangle};
+use crate::raster::{Fit, Fitted, ScreenVertex, SpanBatch, Traversal};
 use crate::shade::{
     Blend, Bound, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event,
     Fragments, Output, Shader, State, States, Stats,
@@ -284,20 +284,23 @@ impl<S: State> ScreenPass<S> {
         let bound = &Bound { shader, prepared };
         let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
         let culled = CulledWindings::new(self.cull, self.front);
-        let area = frame.scissor();
+        let (area, mut fitted) = (frame.scissor(), Fitted::new(frame.picture()));
+        let mut target = frame.target::<Access<S>>();
         for [(a, p), (b, q), (c, r)] in triangles {
             let counter = self.state.counter();
             counter.event(Event::Triangle);
-            let vertices = [*a, *b, *c];
-            if !Triangle::in_range(&vertices, frame.picture()) {
-                counter.event(Event::Skipped);
-                continue;
+            match fitted.set(a, b, c) {
+                Fit::Ready => {}
+                Fit::Beyond => {
+                    counter.event(Event::Skipped);
+                    continue;
+                }
+                Fit::Degenerate => {
+                    counter.event(Event::Degenerate);
+                    continue;
+                }
             }
-            let triangle = Triangle::oriented(vertices);
-            let Some(triangle) = &triangle else {
-                counter.event(Event::Degenerate);
-                continue;
-            };
+            let triangle = &fitted.triangle;
             if culled.contain(if triangle.flipped { -1 } else { 1 }) {
                 counter.event(Event::Culled);
                 continue;
@@ -310,7 +313,7 @@ impl<S: State> ScreenPass<S> {
             self.state.counter().event(Event::Drawn);
             let ordered = if triangle.flipped { [*p, *r, *q] } else { [*p, *q, *r] };
             Fill { triangle, corners: &ordered, provoking: p }.draw(
-                frame,
+                &mut target,
                 &mut self.state,
                 bound,
                 &mut walk,

@@ -1,5 +1,7 @@
 use super::{Plane, Triangle};
-use crate::math::{inlined_reciprocal_of_some, mul_high_signed, reciprocal, weight, weighted_sum};
+use crate::math::{
+    inlined_reciprocal_of_some, mul_high_signed, reciprocal, weight, weighted_sum, BY_HALVES,
+};
 
 /// What the attribute planes of one triangle share: its sides and the reciprocal of its area.
 ///
@@ -51,6 +53,19 @@ const SHORT_SIDE: u32 = 1 << 14;
 /// The least twice area that weights are made for, as a power of two of the longest side's square.
 const THICK: u32 = 5;
 
+/// The upper word of (side 2^room) mantissa, rounded down, by two products of 32 bits.
+///
+/// `side` must have no more than 14 bits, `zeros` is the number of zeros above those of the longest
+/// side, and `room` is below that.
+#[inline(always)]
+const fn high_of_short(side: i32, zeros: u32, room: u32, mantissa: u32) -> i32 {
+    // 15 bits and the sign, times halves of 15 and 16.
+    let side = side.wrapping_shl(zeros.wrapping_sub(17));
+    let (high, low) = ((mantissa >> 16).cast_signed(), (mantissa & 0xFFFF).cast_signed());
+    let product = side.wrapping_mul(high).wrapping_add(side.wrapping_mul(low) >> 16);
+    product >> (zeros.wrapping_sub(1).wrapping_sub(room) & 31)
+}
+
 impl Gradients {
     /// Of no triangle: where nothing is interpolated.
     pub(crate) const NONE: Self = Self {
@@ -89,8 +104,15 @@ impl Gradients {
             // weight 2^(32 - room - shift). Sums lose 16 bits, slopes have 16 more and count
             // pixels of 16 subpixels, which leaves a shift that is never to the right.
             let scale = 68_u32.wrapping_sub(reciprocal.shift);
-            let room = longest.leading_zeros().wrapping_sub(4).min(scale);
-            let of = |side: i32| mul_high_signed(side.wrapping_shl(room), reciprocal.mantissa);
+            let zeros = longest.leading_zeros();
+            let room = zeros.wrapping_sub(4).min(scale);
+            let of = |side: i32| {
+                if BY_HALVES {
+                    high_of_short(side, zeros, room, reciprocal.mantissa)
+                } else {
+                    mul_high_signed(side.wrapping_shl(room), reciprocal.mantissa)
+                }
+            };
             let column = [of(y2), of(y1.wrapping_neg())];
             let row = [of(x2.wrapping_neg()), of(x1)];
             // At most 8 subpixels each way: 2^27 x 8 + 2^27 x 8 is just in range.
@@ -163,9 +185,21 @@ impl Gradients {
         if let Some(exact) = &self.exact {
             exact.slopes(d1, d2)
         } else {
-            let sum = |[p, q]: [i32; 2]| weighted_sum(d1, p, d2, q).wrapping_shl(self.up);
-            Slopes { dx: sum(self.column), dy: sum(self.row), to_center: sum(self.center) }
+            self.weighted_slopes(d1, d2)
         }
+    }
+
+    /// The same where they are [not exact](Self::are_exact).
+    #[inline(always)]
+    pub(crate) fn weighted_slopes(&self, d1: i32, d2: i32) -> Slopes {
+        let sum = |[p, q]: [i32; 2]| weighted_sum(d1, p, d2, q).wrapping_shl(self.up);
+        Slopes { dx: sum(self.column), dy: sum(self.row), to_center: sum(self.center) }
+    }
+
+    /// Whether the triangle is too large or too thin for weights.
+    #[inline(always)]
+    pub(crate) const fn are_exact(&self) -> bool {
+        self.exact.is_some()
     }
 }
 
@@ -220,5 +254,40 @@ fn scaled_wide(numerator: i64, mantissa: u32, shift: u32) -> i32 {
         let high = (numerator >> 32).wrapping_mul(mantissa.into()).wrapping_add(carry);
         let shift = shift.wrapping_sub(32);
         (high.wrapping_add(1 << (shift.wrapping_sub(1) & 63)) >> (shift & 63)) as i32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::hard_numbers::Random;
+
+    #[test]
+    fn short_products_are_those_of_64_bits() {
+        let mut random = Random::new(21);
+        for _ in 0..2_000_000 {
+            let bits = 1 + random.word() % 14;
+            let longest = 1_u32 << (bits - 1) | random.word() >> (32 - bits);
+            let zeros = longest.leading_zeros();
+            // The longest may be less than zero, and a side may be its opposite.
+            let end = 1_i32 << (32 - zeros);
+            let side = match random.word() % 8 {
+                0 => end,
+                1 => -end,
+                2 => end - 1,
+                _ => {
+                    (random.word() >> zeros).cast_signed() - (random.word() & 1).cast_signed() * end
+                }
+            };
+            let room = (zeros - 4).min(random.word() & 31);
+            let mantissa = match random.word() % 4 {
+                0 => (1 << 31) - 1,
+                1 => 1 << 30,
+                _ => 1 << 30 | random.word() >> 2,
+            };
+            let exact = ((i64::from(side) << room) * i64::from(mantissa)) >> 32;
+            let short = high_of_short(side, zeros, room, mantissa);
+            assert_eq!(i64::from(short), exact, "{side} of {longest}, {room}, {mantissa}");
+        }
     }
 }

@@ -13,6 +13,7 @@
 
 mod coverage;
 mod edge;
+mod few;
 mod gradients;
 mod line;
 mod long_edge;
@@ -43,5 +44,5 @@ pub(crate) use spans::first_center;
 pub use spans::Spans;
 #[cfg(feature = "std")]
 pub use traversal::{AnyTraversal, AnyWalk, BlockWalk, Blocks, BoundingBox, Rows};
-pub(crate) use triangle::area_of_sides;
+pub(crate) use triangle::{area_of_sides, Fit, Fitted};
 pub use triangle::{twice_area, Triangle};

@@ -1,5 +1,5 @@
 use super::{Edge, Point};
-use crate::math::{wide_product, BY_HALVES};
+use crate::math::BY_HALVES;
 
 /// An edge of a short triangle, walked by one addition a row: exact all the same.
 ///
@@ -47,13 +47,23 @@ static INVERSES: [u32; TALLEST as usize + 1] = {
     inverses
 };
 
+/// The product with an inverse, rounded down to 17 fraction bits: of two parts, both of which fit 32
+/// bits, since a short triangle's sides have 12.
+#[inline(always)]
+const fn by_inverse(dx: i32, inverse: u32) -> i32 {
+    const CUT: u32 = 31 - FRACTION;
+    let (high, low) = ((inverse >> CUT).cast_signed(), (inverse & ((1 << CUT) - 1)).cast_signed());
+    dx.wrapping_mul(high).wrapping_add(dx.wrapping_mul(low) >> CUT)
+}
+
+const _: () = assert!((WIDEST as i64) << FRACTION < 1 << 31, "the high part's product fits");
+
 /// dx / dy with 17 fraction bits, off by at most 9/8 of a unit.
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation, reason = "in range as the assertions say")]
 fn slope(dx: i32, dy: i32) -> i32 {
     if BY_HALVES {
-        let inverse = INVERSES.get(dy as usize).copied().unwrap_or(0);
-        (wide_product(dx, inverse) >> (31 - FRACTION)) as i32
+        by_inverse(dx, INVERSES.get(dy as usize).copied().unwrap_or(0))
     } else {
         dx.wrapping_shl(FRACTION).wrapping_div(dy.max(1))
     }
@@ -84,5 +94,21 @@ impl Edge for ShortEdge {
     #[inline(always)]
     fn step(&mut self) {
         self.x = self.x.wrapping_add(self.step);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_of_two_parts_are_those_of_64_bits() {
+        for dy in 1..=TALLEST {
+            let inverse = INVERSES[dy as usize];
+            for dx in 1 - WIDEST..WIDEST {
+                let exact = (i64::from(dx) * i64::from(inverse)) >> (31 - FRACTION);
+                assert_eq!(i64::from(by_inverse(dx, inverse)), exact, "{dx} / {dy}");
+            }
+        }
     }
 }

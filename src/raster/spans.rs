@@ -1,14 +1,17 @@
+use super::few::take_few;
 use super::short_edge::{ShortEdge, TALLEST, WIDEST};
 use super::{Edge, LongEdge, Point, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
+use crate::math::BY_HALVES;
 
 /// A triangle walked row by row: each row's first and last covered pixel by an exact integer walk
 /// along the edges, so that no pixel is tested.
 ///
 /// # Cost
-/// On Cortex-M4 9 instructions a row of a short triangle and 10 more where it holds a pixel, after
-/// some 190 to start; one division an edge, by a table where the core has none. Not generic, so
-/// that one copy serves every shader, state and format.
+/// On Cortex-M4 8 instructions a row of a short triangle and 9 more where it holds a pixel, after
+/// some 180 to start; one division an edge, by a table where the core has none. There, triangles of
+/// two by two pixels at most do without, by edge functions. Not generic, so that one copy serves
+/// every shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans {
     left: LongEdge,
@@ -34,19 +37,13 @@ pub(crate) const fn first_center(bits: i32) -> i32 {
 /// Takes the rows from `y` to `end` between two edges: those that hold a pixel, while there are
 /// places.
 #[inline(always)]
-fn take_rows<E: Edge>(
-    left: &mut E,
-    right: &mut E,
-    mut y: i32,
-    end: i32,
-    places: &mut core::slice::IterMut<'_, Span>,
-) {
+fn take_rows<E: Edge>(left: &mut E, right: &mut E, mut y: i32, end: i32, places: &mut &mut [Span]) {
     while y < end {
         let (first, behind) = (left.column(), right.column());
         if first < behind {
-            if let Some(place) = places.next() {
-                *place = Span { y, first, left: first, right: behind, behind };
-            }
+            let [place, more @ ..] = core::mem::take(places) else { return };
+            *place = Span { y, first, left: first, right: behind, behind };
+            *places = more;
         }
         left.step();
         right.step();
@@ -72,9 +69,19 @@ struct Descent {
 impl Spans {
     /// Starts on a triangle, limited to `area`, and takes its first spans: none if no pixel of it
     /// is covered. A short triangle ends here, and the walk stays as it is.
+    ///
+    /// # Range
+    /// Corners in the square of [`GUARD`](super::GUARD), as in all triangles that are drawn; sides
+    /// of `area` below 2^30 in magnitude.
     #[inline(never)]
     pub fn start(&mut self, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
         batch.clear();
+        // Where there are more registers, the walk costs no more than this.
+        if BY_HALVES && take_few(triangle, area, batch) {
+            return;
+        }
+        // Opaque: nothing that the question looked at is kept.
+        let triangle = if BY_HALVES { core::hint::black_box(triangle) } else { triangle };
         // Clockwise from the highest corner: the next one is on its right side.
         let [a, b, c] = triangle.v.each_ref().map(Point::of);
         let (high, right, left) = if a.y <= b.y && a.y <= c.y {
@@ -94,7 +101,10 @@ impl Spans {
         }
         let turn = first_center(middle.y).max(area.top).min(end);
         let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
-        let reaches_beyond = first_center(least) < area.left || first_center(most) > area.right;
+        // Below zero where the triangle reaches beyond a side.
+        let left_over = first_center(least).wrapping_sub(area.left);
+        let right_over = area.right.wrapping_sub(first_center(most));
+        let reaches_beyond = left_over | right_over < 0;
         // Made where it is used, so that a short triangle's never goes through memory.
         let descent = || Descent { high, middle, low, turns_right, start, turn, end };
         if low.y.wrapping_sub(high.y) <= TALLEST && most.wrapping_sub(least) < WIDEST {
@@ -115,7 +125,7 @@ impl Descent {
     #[inline(always)]
     fn take_short(&self, batch: &mut SpanBatch) {
         let mut long = ShortEdge::new(self.high, self.low, self.start);
-        let mut places = batch.spans.iter_mut();
+        let mut places = batch.spans.as_mut_slice();
         let (mut from, mut to, mut y, mut stop) = (self.high, self.middle, self.start, self.turn);
         if y >= stop {
             (from, to, stop) = (self.middle, self.low, self.end);
@@ -162,7 +172,7 @@ impl Spans {
     )]
     fn take(&mut self, batch: &mut SpanBatch) {
         batch.clear();
-        let mut places = batch.spans.iter_mut();
+        let mut places = batch.spans.as_mut_slice();
         loop {
             // Rows down to the turn, or as many as fit. Copies of the edges stay in registers.
             let end = self.turn.min(self.y.wrapping_add(places.len() as i32));
@@ -182,7 +192,7 @@ impl Spans {
                     self.left = second;
                 }
             }
-            if places.len() == 0 {
+            if places.is_empty() {
                 batch.last = false;
                 break;
             }

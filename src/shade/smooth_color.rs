@@ -165,26 +165,42 @@ impl Interpolated for SmoothColor {
 #[inline(never)]
 fn smooth_planes(
     gradients: &Gradients,
+    corners: &[Color; 3],
+    in_pieces: bool,
+) -> SmoothColorPlanes {
+    if gradients.are_exact() {
+        exact_planes(gradients, corners, in_pieces)
+    } else {
+        planes_by(gradients, corners, in_pieces, |d1, d2| gradients.weighted_slopes(d1, d2))
+    }
+}
+
+/// The same of triangles that are too large or too thin for weights: rare, and long.
+#[cold]
+#[inline(never)]
+fn exact_planes(gradients: &Gradients, corners: &[Color; 3], in_pieces: bool) -> SmoothColorPlanes {
+    planes_by(gradients, corners, in_pieces, |d1, d2| gradients.slopes(d1, d2))
+}
+
+/// The same with slopes from a function of the differences to the second and the third corner.
+#[inline(always)]
+fn planes_by(
+    gradients: &Gradients,
     [a, b, c]: &[Color; 3],
     in_pieces: bool,
+    slopes: impl Fn(i32, i32) -> Slopes,
 ) -> SmoothColorPlanes {
     // The difference of a channel in 16 bits.
     let low = |to: u32, from: u32| (to & 0xFFFF).wrapping_sub(from & 0xFFFF).cast_signed();
     let high = |to: u32, from: u32| (to >> 16).wrapping_sub(from >> 16).cast_signed();
     let (first, second, third) = (a.blue_red, b.blue_red, c.blue_red);
-    let blue = gradients.slopes(high(second, first), high(third, first));
-    let red = gradients.slopes(low(second, first), low(third, first));
+    let blue = slopes(high(second, first), high(third, first));
+    let red = slopes(low(second, first), low(third, first));
     let value = |first: u32, slopes: &Slopes| first.wrapping_add(slopes.to_center.cast_unsigned());
     let blue_value = value(first & 0xFFFF_0000, &blue);
     let red_value = value(first << 16, &red);
-    let fine = in_pieces.then(|| {
-        let plane = |value, slopes: &Slopes| {
-            gradients.plane_at(value, slopes.dx.cast_unsigned(), slopes.dy.cast_unsigned())
-        };
-        [plane(blue_value, &blue), plane(red_value, &red)]
-    });
-    let green = gradients.slopes(high(b.green, a.green), high(c.green, a.green));
-    SmoothColorPlanes {
+    let green = slopes(high(b.green, a.green), high(c.green, a.green));
+    let mut planes = SmoothColorPlanes {
         blue_red: gradients.plane_at(
             packed(blue_value, red_value),
             packed_slope(blue.dx, red.dx),
@@ -195,6 +211,13 @@ fn smooth_planes(
             green.dx.cast_unsigned(),
             green.dy.cast_unsigned(),
         ),
-        fine,
+        fine: None,
+    };
+    if in_pieces {
+        let plane = |value, slopes: &Slopes| {
+            gradients.plane_at(value, slopes.dx.cast_unsigned(), slopes.dy.cast_unsigned())
+        };
+        planes.fine = Some([plane(blue_value, &blue), plane(red_value, &red)]);
     }
+    planes
 }

@@ -89,6 +89,7 @@ impl Quad {
         F: Format,
         D: Supplies<Access<S>>,
     {
+        let target = &mut frame.target::<Access<S>>();
         let mut is_drawn = false;
         for [i, j, k] in [[0_usize, 1, 2], [0, 2, 3]] {
             let at = |i: usize| self.v[i & 3];
@@ -104,9 +105,9 @@ impl Quad {
             let corners = &[corner(i), corner(second), corner(third)];
             let fill = Fill { triangle, corners, provoking };
             if S::Depth::OFFSETS {
-                fill.draw_unmoved(frame, state, shader, &mut walk, &mut batch);
+                fill.draw_unmoved(target, state, shader, &mut walk, &mut batch);
             } else {
-                fill.draw(frame, state, shader, &mut walk, &mut batch);
+                fill.draw(target, state, shader, &mut walk, &mut batch);
             }
         }
         is_drawn

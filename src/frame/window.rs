@@ -1,0 +1,90 @@
+use super::depth::{DepthAccess, Supplies};
+use super::Frame;
+use crate::color::Format;
+use crate::raster::Span;
+
+/// Colours and cells of a frame, both by one number a pixel, so that one check serves both: those of
+/// all rows, or of a part of one row where rows of cells are further apart than those of colour, or
+/// less far.
+pub(crate) struct Window<'a, F: Format, A: DepthAccess> {
+    pixels: &'a mut [F::Raw],
+    cells: A::Cells<'a>,
+    /// From one row to the next.
+    stride: usize,
+    /// What pixel (0, 0) of the picture is before the window's first.
+    before: usize,
+}
+
+impl<F: Format, A: DepthAccess> Window<'_, F, A> {
+    /// The same with as many cells as colours.
+    #[inline(always)]
+    pub(crate) fn level(&mut self) -> Option<Window<'_, F, A>> {
+        let length = self.pixels.len().min(A::length(&self.cells));
+        let cells = A::part(&mut self.cells, 0, length)?;
+        let pixels = self.pixels.get_mut(..length)?;
+        Some(Window { pixels, cells, stride: self.stride, before: self.before })
+    }
+
+    /// Colours and cells of columns `left..right` of picture row `y`; `None` where the window does
+    /// not reach.
+    #[inline(always)]
+    pub(crate) fn row(
+        &mut self,
+        y: i32,
+        left: i32,
+        right: i32,
+    ) -> Option<(&mut [F::Raw], A::Cells<'_>)> {
+        let row = (y as usize).wrapping_mul(self.stride).wrapping_sub(self.before);
+        let at = row.wrapping_add(left as usize);
+        let length = right.wrapping_sub(left) as usize;
+        // Two steps: a range would have its order checked besides its end.
+        let pixels = self.pixels.get_mut(at..)?.get_mut(..length)?;
+        Some((pixels, A::part(&mut self.cells, at, length)?))
+    }
+}
+
+/// What spans are drawn on.
+pub(crate) enum Target<'t, 'a, F: Format, D, A: DepthAccess> {
+    /// All rows at once.
+    Whole(Window<'t, F, A>),
+    /// One row at a time: of a frame whose rows of cells are not as far apart as those of colour.
+    Rows(&'t mut Frame<'a, F, D>),
+}
+
+impl<F: Format, D: Supplies<A>, A: DepthAccess> Target<'_, '_, F, D, A> {
+    /// Draws on a window that holds a span; `None` if there is none.
+    #[inline(always)]
+    pub(crate) fn on(
+        &mut self,
+        span: &Span,
+        draw: impl FnOnce(&mut Window<'_, F, A>) -> Option<()>,
+    ) -> Option<()> {
+        match self {
+            Self::Whole(window) => draw(window),
+            Self::Rows(frame) => {
+                let stride = frame.stride;
+                let before =
+                    (span.y as usize).wrapping_mul(stride).wrapping_add(span.left as usize);
+                let (pixels, cells) = frame.row_with_depth::<A>(span.y, span.left, span.right)?;
+                draw(&mut Window { pixels, cells, stride, before })
+            }
+        }
+    }
+}
+
+impl<'a, F: Format, D> Frame<'a, F, D> {
+    /// What spans are drawn on.
+    #[inline(always)]
+    pub(crate) fn target<A: DepthAccess>(&mut self) -> Target<'_, 'a, F, D, A>
+    where
+        D: Supplies<A>,
+    {
+        if !self.has_one_stride::<A>() {
+            return Target::Rows(self);
+        }
+        let stride = self.stride;
+        let before = usize::from(self.first_row).wrapping_mul(stride);
+        let (pixels, cells) = (&mut *self.pixels, self.depth.all());
+        Target::Whole(Window { pixels, cells, stride, before })
+    }
+}

@@ -37,6 +37,12 @@ pub trait DepthAccess {
     /// One cell, as a row of its own.
     fn one<'a>(cells: &'a mut Self::Cells<'_>, at: usize) -> Option<Self::Cells<'a>>;
 
+    /// The row as codes, where cells are nothing else.
+    #[inline(always)]
+    fn codes<'a>(cells: Self::Cells<'a>) -> Result<&'a mut [u16], Self::Cells<'a>> {
+        Err(cells)
+    }
+
     /// The walk over a row.
     fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a>;
     /// The stored code.
@@ -103,6 +109,11 @@ impl DepthAccess for ReadWrite {
         length: usize,
     ) -> Option<&'a mut [u16]> {
         cells.get_mut(from..)?.get_mut(..length)
+    }
+
+    #[inline(always)]
+    fn codes<'a>(cells: Self::Cells<'a>) -> Result<&'a mut [u16], Self::Cells<'a>> {
+        Ok(cells)
     }
 
     #[inline(always)]

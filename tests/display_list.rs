@@ -116,6 +116,15 @@ impl Draw {
             let mut pass = pass;
             pass.replay_or_draw(frame, &mut recording, &model, mesh, shader);
         });
+        if let Ok(recording) = &recording {
+            let shared = self.in_bands(self.rows, |frame| {
+                frame.clear(background);
+                frame.clear_depth(code);
+                let mut pass = pass;
+                assert_eq!(pass.replay_shared(frame, recording), Ok(()), "{self:?}");
+            });
+            assert!(shared == whole, "shared: {self:?}");
+        }
         assert_eq!(recorded.triangles, drawn.triangles, "each once: {self:?}");
         assert_eq!(recorded.culled, drawn.culled, "{self:?}");
         assert_eq!(recorded.clipped, drawn.clipped, "{self:?}");
@@ -297,7 +306,13 @@ fn teapot<R>(numbers: usize, then: impl FnOnce(&mut dyn FnMut(u16, u16, Size) ->
         let frame = Frame::<Rgb565>::new(&mut again, size)
             .and_then(|frame| frame.with_depth(&mut again_codes)?.band(first, picture.height));
         pass.draw(&mut frame.expect("a band"), &model, &TEAPOT, &shader);
-        Band { replayed, same: pixels == again, empty: pixels.iter().all(|pixel| *pixel == 0) }
+        let (mut shared_pixels, mut shared_codes) = both.into();
+        let frame = Frame::<Rgb565>::new(&mut shared_pixels, size)
+            .and_then(|frame| frame.with_depth(&mut shared_codes)?.band(first, picture.height));
+        let shared = pass.replay_shared(&mut frame.expect("a band"), &recording);
+        assert_eq!(shared.is_ok(), shared_pixels == again, "all of it, or an error");
+        let empty = pixels.iter().all(|pixel| *pixel == 0);
+        Band { replayed, shared, same: pixels == again, empty }
     };
     then(&mut draw)
 }
@@ -306,6 +321,8 @@ fn teapot<R>(numbers: usize, then: impl FnOnce(&mut dyn FnMut(u16, u16, Size) ->
 #[derive(Debug, PartialEq)]
 struct Band {
     replayed: Result<(), ListError>,
+    /// What replaying from a shared recording said.
+    shared: Result<(), ListError>,
     /// Whether it is what drawing the mesh makes.
     same: bool,
     empty: bool,
@@ -342,11 +359,13 @@ fn what_cannot_be_replayed_is_refused_and_draws_nothing() {
         let band = draw(0, 8, Size::new(64, 48));
         let error = Err(ListError::Bands { needed: 6, got: 5 });
         assert!(band.replayed == error && band.empty, "{band:?}");
+        assert!(band.shared.is_ok(), "needs no numbers of bands: {band:?}");
         let band = draw(8, 8, Size::new(64, 48));
         assert!(band.replayed.is_ok() && band.same, "five are left: {band:?}");
         let other = Size::new(64, 47);
         let error = Err(ListError::Picture { needed: Size::new(64, 48), got: other });
         let band = draw(0, 16, other);
         assert!(band.replayed == error && band.empty, "{band:?}");
+        assert_eq!(band.shared, error, "another picture");
     });
 }

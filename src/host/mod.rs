@@ -7,6 +7,7 @@
 //! | smaller copies of a texture | [`mip_map`] |
 //! | the name of a picture | [`fnv1a64`] |
 //! | what a picture should be | [`mod@reference`] |
+//! | a picture by all cores | [`ParallelBands`] |
 //!
 //! Nothing here is part of a firmware: every item takes `std`, allocates, and reads or writes
 //! files. All input is taken as hostile: it ends in a value or in an error that names the file,
@@ -17,6 +18,7 @@ mod hash;
 mod mesh_data;
 mod mip_map;
 mod model;
+mod parallel_bands;
 pub mod reference;
 mod tga;
 
@@ -25,4 +27,5 @@ pub use hash::{fnv1a64, fnv1a64_after, FNV1A64_START};
 pub use mesh_data::MeshData;
 pub use mip_map::mip_map;
 pub use model::{Bounds, Corner, Group, Material, Model, ModelError, ModelWarning};
+pub use parallel_bands::ParallelBands;
 pub use tga::{Tga, TgaDepth, TgaError, TgaOrigin};

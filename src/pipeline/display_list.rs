@@ -264,6 +264,24 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         Some(rows_of([y(a)?, y(b)?, y(c)?]))
     }
 
+    /// Whether this was recorded for a picture of this size.
+    pub(super) fn check(&self, picture: Size) -> Result<(), ListError> {
+        if picture == self.picture {
+            Ok(())
+        } else {
+            Err(ListError::Picture { needed: self.picture, got: picture })
+        }
+    }
+
+    /// The triangles that reach into the rows `top..bottom`, in the order in which they were
+    /// recorded.
+    pub(super) fn numbers_within(&self, top: i32, bottom: i32) -> impl Iterator<Item = u16> + '_ {
+        let count = u16::try_from(self.triangle_count).unwrap_or(NONE);
+        (0..count).filter(move |number| {
+            self.rows_of(*number).is_some_and(|(first, behind)| first < bottom && behind > top)
+        })
+    }
+
     /// Makes ready for the band of these rows of a picture, and gives its triangles.
     pub(super) fn band(
         &mut self,
@@ -271,9 +289,7 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         first_row: u16,
         rows: u16,
     ) -> Result<BandTriangles, ListError> {
-        if picture != self.picture {
-            return Err(ListError::Picture { needed: self.picture, got: picture });
-        }
+        self.check(picture)?;
         let (top, height) = (i32::from(first_row), i32::from(rows));
         let ends = top.wrapping_add(height) == i32::from(picture.height);
         let goes_on = top == self.next_row && (height == self.rows || ends && height < self.rows);

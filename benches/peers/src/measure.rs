@@ -1,0 +1,144 @@
+//! Time and pictures of one scene, renderer after renderer, round after round.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use anyhow::Context;
+
+use crate::renderers::{make_threaded, Renderer, RENDERERS};
+use crate::scene::{Rgb, Scene, Size};
+
+/// What a renderer did with a scene.
+#[derive(Debug)]
+pub(crate) struct Result {
+    pub(crate) renderer: &'static str,
+    /// The least time of all frames of a round.
+    pub(crate) time: Duration,
+    /// Pixels, of a thousand, that differ from ours by more than [`TOLERANCE`]; of the last frame.
+    pub(crate) different: f64,
+    picture: Vec<Rgb>,
+}
+
+/// A scene, and what each renderer that can draw it did; ours is the first.
+#[derive(Debug)]
+pub(crate) struct Comparison {
+    pub(crate) scene: &'static str,
+    pub(crate) results: Vec<Result>,
+}
+
+/// Of 255: two steps of a channel of five bits, since not all round or interpolate alike.
+pub(crate) const TOLERANCE: u8 = 17;
+
+/// Draws a scene with every renderer in turn, so many times.
+pub(crate) fn compare(scene: &Scene, size: Size, rounds: usize) -> Comparison {
+    let makes = RENDERERS.iter();
+    let mut ready: Vec<_> =
+        makes.filter_map(|(name, make)| Some((*name, make(scene, size)?, Duration::MAX))).collect();
+    for _ in 0..rounds {
+        for (_, renderer, least) in &mut ready {
+            *least = round(renderer.as_mut(), scene.frames()).min(*least);
+        }
+    }
+    let mut ours = Vec::new();
+    let results = ready.into_iter().map(|(renderer, mut drawn, time)| {
+        let picture = drawn.picture();
+        if ours.is_empty() {
+            ours.clone_from(&picture);
+        }
+        Result { renderer, time, different: difference(&ours, &picture), picture }
+    });
+    Comparison { scene: scene.name, results: results.collect() }
+}
+
+/// How many times faster so many threads are than one; their pictures must be the same.
+pub(crate) fn threads(
+    scene: &Scene,
+    size: Size,
+    threads: usize,
+    rounds: usize,
+) -> anyhow::Result<f64> {
+    let mut one = RENDERERS[0].1(scene, size).context("this crate draws all scenes")?;
+    let mut all = make_threaded(scene, size, threads)?;
+    let mut least = [Duration::MAX; 2];
+    for _ in 0..rounds {
+        for (renderer, least) in [&mut one, &mut all].into_iter().zip(&mut least) {
+            *least = round(renderer.as_mut(), scene.frames()).min(*least);
+        }
+    }
+    anyhow::ensure!(one.picture() == all.picture(), "{}: pictures differ", scene.name);
+    Ok(least[0].as_secs_f64() / least[1].as_secs_f64())
+}
+
+/// The time to draw all frames; clears excluded.
+fn round(renderer: &mut dyn Renderer, frames: usize) -> Duration {
+    let mut time = Duration::ZERO;
+    for frame in 0..frames {
+        renderer.clear();
+        let start = Instant::now();
+        renderer.draw(frame);
+        time += start.elapsed();
+    }
+    time
+}
+
+fn difference(ours: &[Rgb], theirs: &[Rgb]) -> f64 {
+    let pairs = ours.iter().zip(theirs);
+    let different =
+        pairs.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > TOLERANCE));
+    1000.0 * different.count() as f64 / ours.len() as f64
+}
+
+impl Comparison {
+    /// Writes every renderer's picture of the last frame.
+    pub(crate) fn save(&self, folder: &Path, size: Size) -> anyhow::Result<()> {
+        std::fs::create_dir_all(folder)?;
+        let (width, height) = (size.width.into(), size.height.into());
+        for result in &self.results {
+            let name = format!("{}-{width}x{height}-{}.png", self.scene, result.renderer);
+            let (bytes, color) = (result.picture.as_flattened(), image::ColorType::Rgb8);
+            image::save_buffer(folder.join(name), bytes, width, height, color)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::scenes;
+
+    /// Renderers whose corners keep fractions of pixels, which have the same picture but for
+    /// rounding.
+    const FINE: [&str; 4] = ["microraster", "llvmpipe", "retrofire", "euc"];
+
+    #[test]
+    fn renderers_of_fine_corners_draw_the_same_pictures() {
+        let size = Size { width: 160, height: 120 };
+        for scene in scenes(size, None).expect("bundled scenes need no file") {
+            // Of the grid's diagonals, which go through pixel centres, see the page.
+            if scene.name == "S1" {
+                continue;
+            }
+            let comparison = compare(&scene, size, 1);
+            assert!(comparison.results.len() >= 3, "{} is drawn by few", scene.name);
+            for result in &comparison.results {
+                if FINE.contains(&result.renderer) {
+                    let Result { renderer, different, .. } = result;
+                    let lit = result.picture.iter().filter(|pixel| **pixel != [0; 3]).count();
+                    assert!(lit > 1000, "{renderer} draws nothing of {}", scene.name);
+                    assert!(*different < 15.0, "{renderer}, {}: {different}/1000", scene.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn differences_are_counted_beyond_the_tolerance_alone() {
+        let ours = [[10, 20, 30]; 4];
+        let mut theirs = ours;
+        theirs[1][2] += TOLERANCE;
+        assert!(difference(&ours, &theirs) < f64::EPSILON);
+        theirs[3][0] += TOLERANCE + 1;
+        assert!((difference(&ours, &theirs) - 250.0).abs() < f64::EPSILON);
+    }
+}

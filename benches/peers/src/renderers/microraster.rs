@@ -1,0 +1,226 @@
+//! This crate: meshes quantised to 16 bits an axis.
+
+use microraster::host::ParallelBands;
+use microraster::math::{Angle, Mat4, Vec3};
+use microraster::texture::{Sampler, Texture};
+use microraster::{
+    normal, Camera, Color, Cull, DepthBuffer, Flat, Frame, Gouraud, Lambert, Less, Light, Mesh,
+    Normal, Pass, Rgb as Channels, Rgb565, Textured, VertexCache,
+};
+
+use super::Renderer;
+use crate::scene::{self, Rgb, Scene, Shading, Size};
+
+/// What a mesh's vertices or triangles hold.
+enum Attributes {
+    Solid(Channels),
+    Smooth(Vec<Channels>),
+    Faces(Vec<Channels>),
+    Lit { normals: Vec<Normal>, smooth: bool },
+    Textured(Vec<((), [i16; 2])>),
+}
+
+/// A scene in this crate's form.
+struct Drawing {
+    scene: Scene,
+    positions: Vec<[i16; 3]>,
+    indices: Vec<u16>,
+    scale: Vec3,
+    offset: Vec3,
+    attributes: Attributes,
+    /// Nothing for the mesh without attributes.
+    nothing: Vec<()>,
+}
+
+/// Enough for every vertex of the largest mesh.
+type Cache = VertexCache<Color, 2048>;
+
+struct Ready {
+    drawing: Drawing,
+    size: microraster::Size,
+    pixels: Vec<u16>,
+    depth: Vec<u16>,
+    cache: Box<Cache>,
+}
+
+/// The same by threads.
+struct Threaded {
+    ready: Ready,
+    pool: rayon::ThreadPool,
+}
+
+fn channels([red, green, blue]: Rgb) -> Channels {
+    Channels::new(red, green, blue)
+}
+
+/// Always ready.
+pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
+    Some(Box::new(ready(scene, size)))
+}
+
+/// The same in bands, by so many threads.
+pub(crate) fn make_threaded(
+    scene: &Scene,
+    size: Size,
+    threads: usize,
+) -> anyhow::Result<Box<dyn Renderer>> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    Ok(Box::new(Threaded { ready: ready(scene, size), pool }))
+}
+
+fn ready(scene: &Scene, size: Size) -> Ready {
+    let bound = |axis: usize, choose: fn(f32, f32) -> f32| {
+        scene.positions.iter().map(|p| p[axis]).reduce(choose).unwrap_or(0.0)
+    };
+    let low: [f32; 3] = core::array::from_fn(|axis| bound(axis, f32::min));
+    let high: [f32; 3] = core::array::from_fn(|axis| bound(axis, f32::max));
+    // Steps that 16 bits hold, and no fewer than a grid of halves needs to be exact.
+    let step = |axis: usize| ((high[axis] - low[axis]) / 2.0 / 19_200.0).max(f32::MIN_POSITIVE);
+    let middle = |axis: usize| (low[axis] + high[axis]) / 2.0;
+    let quantised =
+        |p: &[f32; 3]| [0, 1, 2].map(|axis| ((p[axis] - middle(axis)) / step(axis)).round() as i16);
+    let attributes = match &scene.shading {
+        Shading::Solid(color) => Attributes::Solid(channels(*color)),
+        Shading::Smooth(colors) => {
+            Attributes::Smooth(colors.iter().copied().map(channels).collect())
+        }
+        Shading::Faces(colors) => Attributes::Faces(colors.iter().copied().map(channels).collect()),
+        Shading::Lit { normals, smooth } => Attributes::Lit {
+            normals: normals.iter().map(|[x, y, z]| normal(Vec3::new(*x, *y, *z))).collect(),
+            smooth: *smooth,
+        },
+        Shading::Textured(places) => Attributes::Textured(
+            places.iter().map(|place| ((), place.map(|c| (c * 4096.0) as i16))).collect(),
+        ),
+    };
+    let drawing = Drawing {
+        positions: scene.positions.iter().map(quantised).collect(),
+        indices: scene.triangles.iter().flatten().map(|&index| index as u16).collect(),
+        scale: Vec3::new(step(0), step(1), step(2)),
+        offset: Vec3::new(middle(0), middle(1), middle(2)),
+        attributes,
+        nothing: vec![(); scene.positions.len()],
+        scene: scene.clone(),
+    };
+    Ready {
+        drawing,
+        size: microraster::Size::new(size.width, size.height),
+        pixels: vec![0; size.pixels()],
+        depth: vec![0; size.pixels()],
+        cache: Box::new(VertexCache::new()),
+    }
+}
+
+/// Columns of a matrix that is given by rows.
+fn transposed(rows: &scene::Matrix) -> [[f32; 4]; 4] {
+    core::array::from_fn(|column| core::array::from_fn(|row| rows[row][column]))
+}
+
+impl Drawing {
+    fn draw(
+        &self,
+        frame: &mut Frame<'_, Rgb565, DepthBuffer<'_>>,
+        number: usize,
+        cache: &mut Cache,
+    ) {
+        let camera = Camera::perspective(Angle::from_degrees(scene::FIELD_OF_VIEW), scene::NEAR);
+        let [x, y, z, w] = transposed(&self.scene.model_view(number))
+            .map(|[x, y, z, w]| microraster::math::Vec4::new(x, y, z, w));
+        let model = Mat4 { x, y, z, w };
+        let Self { positions, indices, .. } = self;
+        let placed = (self.scale, self.offset);
+        let pass = Pass::new(&camera);
+        match &self.attributes {
+            Attributes::Solid(color) => {
+                let mesh = Mesh::new(positions, &self.nothing).indexed(indices);
+                let mesh = mesh.placed(placed.0, placed.1);
+                if self.scene.depth {
+                    pass.depth(Less).draw(frame, &model, &mesh, &Flat::solid(*color));
+                } else {
+                    let mut pass = pass;
+                    pass.draw(frame, &model, &mesh, &Flat::solid(*color));
+                }
+            }
+            Attributes::Smooth(colors) => {
+                let mesh = Mesh::new(positions, colors).indexed(indices).placed(placed.0, placed.1);
+                pass.depth(Less).draw(frame, &model, &mesh, &Gouraud::colored());
+            }
+            Attributes::Faces(colors) => {
+                let mesh = Mesh::new(positions, colors).by_face().indexed(indices);
+                let mesh = mesh.placed(placed.0, placed.1);
+                let shader = Flat::colored();
+                pass.depth(Less).draw_cached(frame, &model, &mesh, &shader, cache);
+            }
+            Attributes::Lit { normals, smooth } => {
+                let grey = |part: f32| {
+                    let level = (part * 255.0) as u8;
+                    Channels::new(level, level, level)
+                };
+                let [x, y, z] = scene::SUN;
+                let sun = Light::directional(Vec3::new(x, y, z), grey(scene::DIFFUSE));
+                let light = Lambert::new(&[sun])
+                    .ambient(grey(scene::AMBIENT))
+                    .material(channels(scene::MATERIAL));
+                let mesh =
+                    Mesh::new(positions, normals).indexed(indices).placed(placed.0, placed.1);
+                let mut pass = pass.depth(Less).cull(Cull::Back);
+                if *smooth {
+                    pass.draw_cached(frame, &model, &mesh, &Gouraud::new(light), cache);
+                } else {
+                    pass.draw_cached(frame, &model, &mesh, &Flat::new(light), cache);
+                }
+            }
+            Attributes::Textured(places) => {
+                let side = scene::SIDE as u16;
+                let Ok(texture) = Texture::<Rgb565>::new(&scene::TEXELS, side, side) else {
+                    return;
+                };
+                let Ok(sampler) = Sampler::nearest(texture) else { return };
+                let mesh = Mesh::new(positions, places).indexed(indices).placed(placed.0, placed.1);
+                pass.depth(Less).draw(frame, &model, &mesh, &Textured::new(sampler));
+            }
+        }
+    }
+}
+
+impl Renderer for Ready {
+    fn clear(&mut self) {
+        if let Ok(frame) = Frame::<Rgb565>::new(&mut self.pixels, self.size) {
+            if let Ok(mut frame) = frame.with_depth(&mut self.depth) {
+                frame.clear(Channels::BLACK);
+            }
+        }
+    }
+
+    fn draw(&mut self, number: usize) {
+        let Self { drawing, size, pixels, depth, cache } = self;
+        if let Ok(frame) = Frame::<Rgb565>::new(pixels, *size) {
+            if let Ok(mut frame) = frame.with_depth(depth) {
+                drawing.draw(&mut frame, number, cache);
+            }
+        }
+    }
+
+    fn picture(&mut self) -> Vec<Rgb> {
+        self.pixels.iter().map(|&texel| scene::rgb(texel)).collect()
+    }
+}
+
+impl Renderer for Threaded {
+    fn clear(&mut self) {
+        self.ready.clear();
+    }
+
+    fn draw(&mut self, number: usize) {
+        let Ready { drawing, size, pixels, depth, .. } = &mut self.ready;
+        self.pool.install(|| {
+            if let Ok(bands) = ParallelBands::<Rgb565>::new(pixels, depth, *size) {
+                bands.draw(|frame| drawing.draw(frame, number, &mut Cache::new()));
+            }
+        });
+    }
+
+    fn picture(&mut self) -> Vec<Rgb> {
+        self.ready.picture()
+    }
+}

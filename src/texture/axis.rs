@@ -197,7 +197,7 @@ mod tests {
                 let axis = Axis::new(side, unit_bits);
                 for i in 0..5000i32 {
                     let turned = axis.turned(i.wrapping_mul(0x9E37_79B9_u32.cast_signed()));
-                    let place = u64::from(turned.cast_unsigned()) * u64::from(side) >> 24;
+                    let place = (u64::from(turned.cast_unsigned()) * u64::from(side)) >> 24;
                     let expected = ((place >> 8) as u32, (place & 255) as u32);
                     assert_eq!(axis.repeated_place(turned), expected, "{side}: place {turned:x}");
                     assert_eq!(axis.repeated(turned), expected.0, "{side}: texel {turned:x}");

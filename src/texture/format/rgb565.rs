@@ -154,10 +154,9 @@ impl PaletteEntry for Rgb565 {}
 mod tests {
     use super::*;
 
-    /// Between two values of a channel, rounded.
-    fn between_two(from: u16, to: u16, weight: u32) -> u16 {
-        let sum = u32::from(from) * (32 - weight) + u32::from(to) * weight + 16;
-        (sum / 32) as u16
+    /// Between two values of a channel, rounded; at most 63, so that 16 bits hold the sum.
+    fn between_two(from: u16, to: u16, weight: u16) -> u16 {
+        (from * (32 - weight) + to * weight + 16) / 32
     }
 
     #[test]
@@ -168,15 +167,15 @@ mod tests {
             match bits >> 29 {
                 0 => 0,
                 1 => u16::MAX,
-                _ => (bits >> 8) as u16,
+                _ => (bits >> 16) as u16,
             }
         };
         const ROW: usize = 3;
         for case in 0..2000u32 {
             let words: [u16; 2 * ROW + 2] = core::array::from_fn(|_| texel());
-            let (x, y) = (u32::from(texel()) & 255, u32::from(texel()) & 255);
+            let (x, y) = (texel() & 255, texel() & 255);
             for index in 0..=ROW + 1 {
-                let weights = Weights::new(x, y);
+                let weights = Weights::new(x.into(), y.into());
                 let known = [words[0], words[4], words[2], words[5]];
                 let constants = Rgb565::CONSTANTS;
                 let place = (case % 7 != 0).then_some(index);

@@ -194,8 +194,8 @@ impl<S: State, F: Format, V: Stepped> Row<'_, S, F, V> {
         let Self { x, y, pixels, cells, mut z, z_step, varying, step, depth, output, counter } =
             self;
         let is_level = z_step == 0 && pixels.len() >= LONG;
-        let cells = if BY_HALVES && !is_level {
-            // With few registers, the loop over both is the longer one.
+        let cells = if !is_level && (BY_HALVES || pixels.len() == 1) {
+            // With few registers, the loop over both is the longer one; of lines, it is none.
             cells
         } else {
             match <Access<S>>::codes(cells) {

@@ -42,6 +42,12 @@ pub trait DepthAccess {
     /// How many there are; `usize::MAX` of what is not touched.
     fn length(cells: &Self::Cells<'_>) -> usize;
 
+    /// The row as codes, where cells are nothing else.
+    #[inline(always)]
+    fn codes<'a>(cells: Self::Cells<'a>) -> Result<&'a mut [u16], Self::Cells<'a>> {
+        Err(cells)
+    }
+
     /// The walk over a row.
     fn iter<'a>(cells: Self::Cells<'a>) -> Self::Iter<'a>;
     /// The stored code.
@@ -120,6 +126,11 @@ impl DepthAccess for ReadWrite {
     #[inline(always)]
     fn length(cells: &Self::Cells<'_>) -> usize {
         cells.len()
+    }
+
+    #[inline(always)]
+    fn codes<'a>(cells: Self::Cells<'a>) -> Result<&'a mut [u16], Self::Cells<'a>> {
+        Ok(cells)
     }
 
     #[inline(always)]

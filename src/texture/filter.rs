@@ -113,13 +113,12 @@ impl Filter for Bilinear {
         let (upper, y) = down.place(v_axis, v, T::PLACES);
         let weights = Weights::new(x, y);
         // Endless rows need no check: behind the last one there are no data.
-        if left < u_axis.last() && (V::ENDLESS || upper < v_axis.last()) {
-            if let Some(color) = texture.blend_square(left, upper, weights, constants) {
-                return Some(color);
-            }
-        }
-        let texels = corners(texture, wraps, axes, [u, v], T::PLACES)?;
-        Some(T::blend(texels, weights, constants))
+        let is_square = left < u_axis.last() && (V::ENDLESS || upper < v_axis.last());
+        let place = is_square.then(|| u_axis.row(upper).wrapping_add(left as usize));
+        // Of copies, so that the originals stay in registers.
+        let (whole, axes) = (*texture, *axes);
+        let corners = move || corners(&whole, wraps, &axes, [u, v], T::PLACES);
+        texture.blend_square(place, u_axis.row(1), corners, weights, constants)
     }
 }
 

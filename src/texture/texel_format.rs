@@ -44,17 +44,19 @@ pub trait TexelFormat {
         Self::mix(texels, weights)
     }
 
-    /// The same of texel `index`, the next one, and both a row behind, that is, so many texels: a
-    /// format may do that with one check. `None` where it does not, and beyond the end of the data.
+    /// The same of texel `index`, the next one, and both a row behind, that is, so many texels; of
+    /// `corners` where there is no such place, or it is beyond the end of the data. A format may
+    /// look up a square with one check.
     #[inline(always)]
     fn blend_square(
         _words: &[Self::Word],
-        _palette: &Self::Palette,
-        _index_and_row: [usize; 2],
-        _weights: Weights,
-        _constants: [u32; 2],
+        _index: Option<usize>,
+        _row: usize,
+        corners: impl FnOnce() -> Option<[Self::Texel; 4]>,
+        weights: Weights,
+        constants: [u32; 2],
     ) -> Option<Color> {
-        None
+        Some(Self::blend(corners()?, weights, constants))
     }
 }
 

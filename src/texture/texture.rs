@@ -126,17 +126,17 @@ impl<'a, T: TexelFormat> Texture<'a, T> {
         T::fetch(self.words, self.palette, self.index(x, y))
     }
 
-    /// What the same one, the one behind it, and both below show between them; `None` where that is
-    /// not cheap or they are beyond the data.
+    /// What texel `place`, the one behind it, and both below show between them, or `corners` where
+    /// there is no such place. A row has so many texels.
     #[inline(always)]
     pub(super) fn blend_square(
         &self,
-        x: u32,
-        y: u32,
+        place: Option<usize>,
+        row: usize,
+        corners: impl FnOnce() -> Option<[T::Texel; 4]>,
         weights: Weights,
         constants: [u32; 2],
     ) -> Option<Color> {
-        let place = [self.index(x, y), self.width.into()];
-        T::blend_square(self.words, self.palette, place, weights, constants)
+        T::blend_square(self.words, place, row, corners, weights, constants)
     }
 }

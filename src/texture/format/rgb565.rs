@@ -1,4 +1,5 @@
 use crate::color::{Color, Rgb565};
+use crate::math::BY_HALVES;
 use crate::texture::{PaletteEntry, TexelFormat, Weights};
 
 /// Bits are repeated: what goes into an RGB565 frame unchanged is the texel's own bits, and in
@@ -19,19 +20,24 @@ impl TexelFormat for Rgb565 {
     #[inline(always)]
     fn blend_square(
         words: &[u16],
-        (): &(),
-        [index, row]: [usize; 2],
+        place: Option<usize>,
+        row: usize,
+        corners: impl FnOnce() -> Option<[u16; 4]>,
         weights: Weights,
         constants: [u32; 2],
     ) -> Option<Color> {
-        let words = words.get(index..)?.get(..row.wrapping_add(2))?;
-        let ([a, b], [x, y]) = (words.first_chunk()?, weights.coarse());
-        let upper = mixed([*a, *b], x, constants);
-        // Read no sooner, lower texels need no registers before.
-        core::hint::black_box(());
-        let [c, d] = words.get(row..)?.first_chunk()?;
-        let lower = mixed([*c, *d], x, constants);
-        Some(shown(between(upper, lower, y, constants)))
+        let [x, y] = weights.coarse();
+        let fields = match place.and_then(|index| square_at(words, index, row)) {
+            Some([upper, lower]) => {
+                let upper = mixed(upper, 0, x, constants);
+                // Nothing comes over, which the compiler cannot know: mixed sooner, lower texels
+                // would need registers that there are not.
+                let lower = mixed(lower, upper >> 27, x, constants);
+                between(upper, lower, y, constants)
+            }
+            None => at_edge(corners, [x, y], constants)?,
+        };
+        Some(shown(fields))
     }
 
     #[inline(always)]
@@ -68,9 +74,7 @@ impl TexelFormat for Rgb565 {
     /// Three channels in one multiplication, spread over a word.
     #[inline(always)]
     fn blend([a, b, c, d]: [u16; 4], weights: Weights, constants: [u32; 2]) -> Color {
-        let [x, y] = weights.coarse();
-        let (upper, lower) = (mixed([a, b], x, constants), mixed([c, d], x, constants));
-        shown(between(upper, lower, y, constants))
+        shown(blended([a, b, c, d], weights.coarse(), constants))
     }
 }
 
@@ -81,11 +85,51 @@ const FIELDS: u32 = 0x07E0_F81F;
 /// Half a step of each channel, with five bits of fraction.
 const HALVES: u32 = 0x0200_8010;
 
+/// Texel `index` and the next one, and both a row behind.
+#[inline(always)]
+fn square_at(words: &[u16], index: usize, row: usize) -> Option<[&[u16; 2]; 2]> {
+    let square = words.get(index..index.wrapping_add(row).wrapping_add(2))?;
+    Some([square.first_chunk()?, square.get(row..)?.first_chunk()?])
+}
+
+/// The fields between four texels.
+#[inline(always)]
+fn blended([a, b, c, d]: [u16; 4], [x, y]: [u32; 2], constants: [u32; 2]) -> u32 {
+    let (upper, lower) = (mixed(&[a, b], 0, x, constants), mixed(&[c, d], 0, x, constants));
+    between(upper, lower, y, constants)
+}
+
+/// The same of texels that are no square of the data: apart, so that the pixel loop keeps its
+/// registers.
+#[cold]
+#[inline(never)]
+fn at_edge(
+    corners: impl FnOnce() -> Option<[u16; 4]>,
+    weights: [u32; 2],
+    constants: [u32; 2],
+) -> Option<u32> {
+    Some(blended(corners()?, weights, constants))
+}
+
+/// Two texels, each in both halves of a word; `order` is 0, and known later than the texels.
+#[inline(always)]
+fn doubled(texels: &[u16; 2], order: u32) -> [u32; 2] {
+    const ONE_WORD: bool =
+        cfg!(all(target_endian = "little", not(target_arch = "riscv32"))) && !BY_HALVES;
+    if ONE_WORD {
+        // Read as one word, wherever it lies.
+        let pair = bytemuck::cast::<_, u32>(*texels) | order;
+        return [pair & 0xFFFF | pair << 16, pair & 0xFFFF_0000 | pair >> 16];
+    }
+    let [from, to] = texels;
+    [from, to].map(|texel| u32::from(*texel) | u32::from(*texel) << 16)
+}
+
 /// The fields of a texel between two others, rounded; `weight` from 0 to 31.
 #[inline(always)]
-fn mixed(texels: [u16; 2], weight: u32, constants: [u32; 2]) -> u32 {
+fn mixed(texels: &[u16; 2], order: u32, weight: u32, constants: [u32; 2]) -> u32 {
     let [fields, _] = constants;
-    let [from, to] = texels.map(|texel| (u32::from(texel) | u32::from(texel) << 16) & fields);
+    let [from, to] = doubled(texels, order).map(|doubled| doubled & fields);
     between(from, to, weight, constants)
 }
 
@@ -94,7 +138,7 @@ fn mixed(texels: [u16; 2], weight: u32, constants: [u32; 2]) -> u32 {
 const fn between(from: u32, to: u32, weight: u32, [fields, halves]: [u32; 2]) -> u32 {
     // What a field lends to its neighbour comes back with the sum.
     let way = to.wrapping_sub(from).wrapping_mul(weight).wrapping_add(halves);
-    (from << 5).wrapping_add(way) >> 5 & fields
+    from.wrapping_add(way >> 5) & fields
 }
 
 /// The colour of fields.
@@ -105,3 +149,58 @@ const fn shown(fields: u32) -> Color {
 }
 
 impl PaletteEntry for Rgb565 {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Between two values of a channel, rounded; at most 63, so that 16 bits hold the sum.
+    fn between_two(from: u16, to: u16, weight: u16) -> u16 {
+        (from * (32 - weight) + to * weight + 16) / 32
+    }
+
+    #[test]
+    fn a_square_shows_each_channel_mixed_across_and_then_down() {
+        let mut bits = 1u32;
+        let mut texel = || {
+            bits = bits.wrapping_mul(0x0019_660D).wrapping_add(0x3C6E_F35F);
+            match bits >> 29 {
+                0 => 0,
+                1 => u16::MAX,
+                _ => (bits >> 16) as u16,
+            }
+        };
+        const ROW: usize = 3;
+        for case in 0..2000u32 {
+            let words: [u16; 2 * ROW + 2] = core::array::from_fn(|_| texel());
+            let (x, y) = (texel() & 255, texel() & 255);
+            for index in 0..=ROW + 1 {
+                let weights = Weights::new(x.into(), y.into());
+                let known = [words[0], words[4], words[2], words[5]];
+                let constants = Rgb565::CONSTANTS;
+                let place = (case % 7 != 0).then_some(index);
+                let corners = || Some(known);
+                let got = Rgb565::blend_square(&words, place, ROW, corners, weights, constants);
+                let fits = place.is_some() && index + ROW + 2 <= words.len();
+                let at = |offset: usize| words[(index + offset) % words.len()];
+                let square = if fits { [at(0), at(1), at(ROW), at(ROW + 1)] } else { known };
+                let channel = |shift: u32, mask: u16| {
+                    let [a, b, c, d] = square.map(|texel| texel >> shift & mask);
+                    let (upper, lower) = (between_two(a, b, x >> 3), between_two(c, d, x >> 3));
+                    between_two(upper, lower, y >> 3) << shift
+                };
+                let expected = channel(11, 31) | channel(5, 63) | channel(0, 31);
+                assert_eq!(got.map(Rgb565::encode), Some(expected), "{square:x?} at {x}, {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn two_texels_are_doubled_in_their_order() {
+        let pairs = [[0x1234u16, 0xFEDC], [0, u16::MAX], [u16::MAX, 0]];
+        for [from, to] in pairs {
+            let twice = |texel: u16| u32::from(texel) * 0x0001_0001;
+            assert_eq!(doubled(&[from, to], 0), [twice(from), twice(to)], "{from:x}, {to:x}");
+        }
+    }
+}

@@ -1,5 +1,4 @@
-use core::iter::Repeat;
-use core::slice::IterMut;
+use core::slice::{Iter, IterMut};
 
 /// A frame without depth: no field, no branch, no cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -64,13 +63,17 @@ pub struct Untouched;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ReadWrite;
 
+/// Cells of nothing, more than any row has: a slice, so that the compiler knows the end of a walk
+/// over it and another slice from the beginning.
+const ENDLESS: &[()] = &[(); usize::MAX];
+
 impl DepthAccess for Untouched {
     const TOUCHES: bool = false;
     const HAS_DEPTH: bool = false;
     const HAS_STENCIL: bool = false;
     type Cells<'a> = ();
-    type Cell<'a> = ();
-    type Iter<'a> = Repeat<()>;
+    type Cell<'a> = &'a ();
+    type Iter<'a> = Iter<'a, ()>;
 
     #[inline(always)]
     fn one((): &mut Self::Cells<'_>, _at: usize) -> Option<()> {
@@ -89,16 +92,16 @@ impl DepthAccess for Untouched {
 
     #[inline(always)]
     fn iter<'a>((): Self::Cells<'a>) -> Self::Iter<'a> {
-        core::iter::repeat(())
+        ENDLESS.iter()
     }
 
     #[inline(always)]
-    fn read<'a>((): &Self::Cell<'a>) -> u16 {
+    fn read<'a>(_cell: &Self::Cell<'a>) -> u16 {
         0
     }
 
     #[inline(always)]
-    fn write<'a>((): Self::Cell<'a>, _code: u16) {}
+    fn write<'a>(_cell: Self::Cell<'a>, _code: u16) {}
 }
 
 impl DepthAccess for ReadWrite {

@@ -28,6 +28,9 @@ pub struct Row<'a, S: State, F: Format, V: Stepped> {
     /// Depth at the first pixel, 16.16, and its step.
     pub(crate) z: u32,
     pub(crate) z_step: u32,
+    /// Whether to ask if the row is long and of one depth: not of points and lines, whose rows are
+    /// short and would pay for the question.
+    pub(crate) may_be_level: bool,
     pub(crate) varying: V,
     pub(crate) step: V::Step,
     pub(crate) depth: &'a S::Depth,
@@ -73,9 +76,10 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         self,
         change: impl FnOnce(V, V::Step) -> (W, W::Step),
     ) -> Row<'a, S, F, W> {
-        let Self { x, y, pixels, cells, z, z_step, varying, step, depth, output, counter } = self;
+        let Self { x, y, pixels, cells, z, z_step, may_be_level, .. } = self;
+        let Self { varying, step, depth, output, counter, .. } = self;
         let (varying, step) = change(varying, step);
-        Row { x, y, pixels, cells, z, z_step, varying, step, depth, output, counter }
+        Row { x, y, pixels, cells, z, z_step, may_be_level, varying, step, depth, output, counter }
     }
 
     /// Calls `fragment` for each pixel that passes the depth test and stores what it gives;
@@ -138,8 +142,8 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     /// blended.
     #[inline(always)]
     fn walk(self, mut source: impl FnMut(&V) -> Option<Source<S>>) {
-        let Self { x, y, pixels, cells, mut z, z_step, mut varying, step, depth, output, counter } =
-            self;
+        let Self { x, y, pixels, cells, mut z, z_step, mut varying, .. } = self;
+        let Self { step, depth, output, counter, .. } = self;
         let mut thresholds = output.dither().thresholds(x, y);
         for (pixel, cell) in pixels.iter_mut().zip(<Access<S>>::iter(cells)) {
             let code = (z >> 16) as u16;
@@ -191,9 +195,8 @@ impl<S: State, F: Format, V: Stepped> Row<'_, S, F, V> {
     /// Stores one value in each pixel that passes the depth test.
     #[inline(always)]
     fn fill_visible(self, raw: F::Raw) {
-        let Self { x, y, pixels, cells, mut z, z_step, varying, step, depth, output, counter } =
-            self;
-        let is_level = pixels.len() >= LONG && z_step == 0;
+        let Self { pixels, cells, mut z, z_step, depth, counter, .. } = self;
+        let is_level = self.may_be_level && pixels.len() >= LONG && z_step == 0;
         let cells = if !is_level && (BY_HALVES || pixels.len() == 1) {
             // With few registers, the loop over both is the longer one; of lines, it is none.
             cells
@@ -212,7 +215,7 @@ impl<S: State, F: Format, V: Stepped> Row<'_, S, F, V> {
                 Err(cells) => cells,
             }
         };
-        let row = Self { x, y, pixels, cells, z, z_step, varying, step, depth, output, counter };
+        let row = Self { pixels, cells, z, counter, ..self };
         row.each_packed(|_| Some(raw));
     }
 }
@@ -282,8 +285,8 @@ impl<S: State, F: Format> Row<'_, S, F, SmoothColor> {
     /// The pixel loop of colours that are [dimmed](Format::dim), and dithered.
     #[inline(always)]
     fn raised(self) {
-        let Self { x, y, pixels, cells, mut z, z_step, varying, step, depth, output, counter } =
-            self;
+        let Self { x, y, pixels, cells, mut z, z_step, varying, .. } = self;
+        let Self { step, depth, output, counter, .. } = self;
         let mut thresholds = output.dither().thresholds(x, y);
         let raise = |thresholds: &<OutputDither<S> as Dither>::Thresholds| {
             <OutputDither<S>>::first(thresholds).map_or(Color::NOTHING, F::raise)
@@ -357,6 +360,7 @@ mod tests {
             cells,
             z,
             z_step,
+            may_be_level: true,
             varying: (),
             step: (),
             depth: &depth,

@@ -398,6 +398,7 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
                     cells,
                     z,
                     z_step,
+                    may_be_level: false,
                     varying,
                     step,
                     depth,

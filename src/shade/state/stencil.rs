@@ -144,7 +144,8 @@ impl<D, S> Stenciled<D, S> {
 #[inline(always)]
 fn apply(operation: &impl StencilOperation, reference: u8, write_mask: u8, value: &mut u8) {
     if !operation.keeps() {
-        *value = operation.apply(reference, *value) & write_mask | *value & !write_mask;
+        // With one mask, not two: registers are short in the pixel loop.
+        *value ^= (operation.apply(reference, *value) ^ *value) & write_mask;
     }
 }
 

@@ -1,14 +1,11 @@
+use super::pairs::{change_pairs, FIELDS};
 use super::Color;
-
-/// Three fields of one pixel and the other, each with room for five bits of fraction: blue and red
-/// of the lower, green of the upper. The others are its complement.
-const FIELDS: u32 = 0x07E0_F81F;
 
 /// What is added to the fields of a pair of RGB565 pixels, with five fraction bits.
 #[derive(Clone, Copy)]
 struct Fields {
     keep: u32,
-    /// To those of [`FIELDS`].
+    /// To those of [`FIELDS`], with five bits of fraction.
     these: u32,
     /// To the others, shifted down by five bits.
     others: u32,
@@ -41,33 +38,10 @@ impl Fields {
     }
 }
 
-/// Both pixels with their bytes swapped.
-#[inline(always)]
-const fn swapped<const SWAP: bool>(pair: u32) -> u32 {
-    if SWAP {
-        pair.swap_bytes().rotate_left(16)
-    } else {
-        pair
-    }
-}
-
 /// [`Format::fade`](super::Format::fade) of RGB565, two pixels in a word; `SWAP` where bytes are
 /// stored the other way round than the machine's.
 #[inline(never)]
-#[allow(clippy::cast_possible_truncation, reason = "half of a pair")]
 pub(super) fn fade_pairs<const SWAP: bool>(pixels: &mut [u16], keep: u32, add: Color) {
     let fields = Fields::new(keep, add);
-    let fade = |pair: u32| swapped::<SWAP>(fields.fade(swapped::<SWAP>(pair)));
-    let (head, pairs, tail) = bytemuck::pod_align_to_mut::<u16, u32>(pixels);
-    for pixel in [head, tail].into_iter().flat_map(<[u16]>::first_mut) {
-        *pixel = fade(u32::from(*pixel)) as u16;
-    }
-    let (fours, rest) = pairs.as_chunks_mut::<4>();
-    for four in fours {
-        *four = four.map(fade);
-    }
-    for pair in rest {
-        *pair = fade(*pair);
-        core::hint::black_box(());
-    }
+    change_pairs::<SWAP, 4>(pixels, |pair| fields.fade(pair));
 }

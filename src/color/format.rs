@@ -83,6 +83,14 @@ pub trait Format {
         }
     }
 
+    /// The pixels as those of RGB565, of which two are blended in a word, and whether their bytes
+    /// are the other way round than the machine's; `None` of other formats.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn as_rgb565(_pixels: &mut [Self::Raw]) -> Option<(&mut [u16], bool)> {
+        None
+    }
+
     /// The stored value of a colour under dither: [`pack`](Self::pack), where that keeps eight
     /// bits of each channel.
     ///

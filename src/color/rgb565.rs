@@ -118,6 +118,11 @@ impl Format for Rgb565 {
     }
 
     #[inline(always)]
+    fn as_rgb565(pixels: &mut [u16]) -> Option<(&mut [u16], bool)> {
+        Some((pixels, false))
+    }
+
+    #[inline(always)]
     fn pack_dithered(color: Color, thresholds: u32) -> u16 {
         Self::dithered(color, thresholds)
     }

@@ -43,6 +43,11 @@ impl Format for Rgb565Be {
     }
 
     #[inline(always)]
+    fn as_rgb565(pixels: &mut [u16]) -> Option<(&mut [u16], bool)> {
+        Some((pixels, cfg!(target_endian = "little")))
+    }
+
+    #[inline(always)]
     fn pack_dithered(color: Color, thresholds: u32) -> u16 {
         Rgb565::dithered(color, thresholds).to_be()
     }

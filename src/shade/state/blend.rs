@@ -1,4 +1,4 @@
-use crate::color::{Color, Format, EIGHTS};
+use crate::color::{add_to_pairs, multiply_pairs, subtract_from_pairs, Color, Format, EIGHTS};
 
 /// How a fragment's colour meets the one that is stored.
 ///
@@ -28,9 +28,15 @@ pub trait Blend {
     /// Blends one source into a run of pixels.
     #[inline(always)]
     fn fill<F: Format>(&self, source: &Self::Source, pixels: &mut [F::Raw]) {
-        for pixel in pixels {
-            *pixel = F::pack(self.blend::<F>(source, *pixel));
-        }
+        one_by_one::<F, _>(self, source, pixels);
+    }
+}
+
+/// Blends one source into a run of pixels, each as if it were the only one.
+#[inline(always)]
+fn one_by_one<F: Format, B: Blend + ?Sized>(mode: &B, source: &B::Source, pixels: &mut [F::Raw]) {
+    for pixel in pixels {
+        *pixel = F::pack(mode.blend::<F>(source, *pixel));
     }
 }
 
@@ -215,9 +221,7 @@ impl Blend for Premultiplied {
     #[inline(always)]
     fn fill<F: Format>(&self, source: &PremultipliedSource, pixels: &mut [F::Raw]) {
         if source.glows {
-            for pixel in pixels {
-                *pixel = F::pack(self.blend::<F>(source, *pixel));
-            }
+            one_by_one::<F, _>(self, source, pixels);
         } else {
             let Eights(blue_red, green) = Eights::of(source.add);
             let (blue_red, green) = (blue_red << 8 | 0x0080_0080, green << 24 | 0x0080_0000);
@@ -228,7 +232,7 @@ impl Blend for Premultiplied {
 
 /// Modes of the eight bits of both colours.
 macro_rules! eights {
-    ($($(#[$doc:meta])* $name:ident: $source:ident, $stored:ident => $blended:expr;)*) => {
+    ($($(#[$doc:meta])* $name:ident by $pairs:ident: $source:ident, $stored:ident => $blended:expr;)*) => {
         $(
             $(#[$doc])*
             #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -248,6 +252,15 @@ macro_rules! eights {
                     let ($source, $stored) = (Eights::of(*source), Eights::of(F::unpack(stored)));
                     $blended.color()
                 }
+
+                #[inline(always)]
+                fn fill<F: Format>(&self, source: &Color, pixels: &mut [F::Raw]) {
+                    match F::as_rgb565(pixels) {
+                        Some((pixels, false)) => $pairs::<false>(pixels, *source),
+                        Some((pixels, true)) => $pairs::<true>(pixels, *source),
+                        None => one_by_one::<F, _>(self, source, pixels),
+                    }
+                }
             }
         )*
     };
@@ -255,17 +268,17 @@ macro_rules! eights {
 
 eights! {
     /// The sum, at most full.
-    Add: source, stored => Eights(
+    Add by add_to_pairs: source, stored => Eights(
         saturated(source.0.wrapping_add(stored.0)),
         saturated(source.1.wrapping_add(stored.1)),
     );
     /// What is stored less the source, at least zero.
-    Subtract: source, stored => Eights(
+    Subtract by subtract_from_pairs: source, stored => Eights(
         difference(stored.0, source.0),
         difference(stored.1, source.1),
     );
     /// The product, where full is one.
-    Multiply: source, stored => {
+    Multiply by multiply_pairs: source, stored => {
         let product = |a: u32, b: u32| {
             // Rounded division by 255.
             let product = a.wrapping_mul(b).wrapping_add(128);

@@ -145,7 +145,7 @@ pub(crate) const MODELS: [Model; 5] = [
         multiply: 0.0,
         divide: 6.0,
         float_divide: 13.0,
-        source: "the core's reference manual, middles of its ranges; loads in a row, which take \
+        source: "table 3-1 of the core's reference manual (Arm 100166), middles of its ranges; loads in a row, which take \
                  less, are not told apart",
     },
     Model {
@@ -158,7 +158,7 @@ pub(crate) const MODELS: [Model; 5] = [
         multiply: 0.0,
         divide: 0.0,
         float_divide: 0.0,
-        source: "the core's reference manual; the multiplier of one cycle; calls count as \
+        source: "table 3-1 of the core's reference manual (Arm DDI 0484C); the multiplier of one cycle; calls count as \
                  branches, though they take one more",
     },
     Model {

@@ -13,6 +13,7 @@ mod facts;
 mod figures;
 mod ladder;
 pub(crate) mod lines;
+mod loops;
 mod marks;
 pub(crate) mod mesh_file;
 mod no_panic;

@@ -8,14 +8,15 @@ use super::facts::Line;
 use super::figures::Figures;
 use super::marks::{self, LIT_VERTEX, LIT_VERTEX_OF, MARKS};
 use super::per::Per;
-use super::profile::Profiler;
+use super::profile::{Profile, Profiler};
 use super::record::Record;
-use super::{callgrind, sizes};
+use super::{callgrind, loops, sizes};
 
 /// The files that it writes, in the package's folder.
 const DOCUMENT: &str = "docs/PERFORMANCE.md";
 const README: &str = "README.md";
 const RECORD: &str = "docs/performance.csv";
+const LOOPS: &str = "docs/LOOPS.md";
 
 /// The boards that it runs: those that cycles are modelled for.
 pub(crate) fn boards() -> Vec<String> {
@@ -36,7 +37,11 @@ pub(crate) fn write(
     let document = house.package.join(DOCUMENT);
     speed(boards, lines)?.write(&document, "speed")?;
     against_marks(lines).write(&document, "marks")?;
-    cycles(house, boards, lines)?.write(&document, "cycles")?;
+    let profiles = profiles(house, boards)?;
+    cycles(boards, lines, &profiles).write(&document, "cycles")?;
+    let missed = missed(lines, &profiles);
+    let place = house.package.join(LOOPS);
+    std::fs::write(&place, loops::page(&missed)).map_err(|why| format!("{LOOPS}: {why}"))?;
     models().write(&document, "models")?;
     short(house, boards, lines)?.write(&house.package.join(README), "")?;
     record.save(&house.package.join(RECORD))
@@ -121,26 +126,88 @@ fn against_marks(lines: &[Line]) -> Figures {
     figures
 }
 
+/// What was executed of a scene on a board.
+struct Profiled {
+    board: &'static str,
+    scene: &'static str,
+    profile: Profile,
+}
+
+/// The scenes that have marks.
+fn marked() -> impl Iterator<Item = &'static str> {
+    MARKS.iter().map(|mark| mark.scene).filter(|scene| *scene != LIT_VERTEX)
+}
+
+/// Profiles of all marked scenes, and of those that the lit vertex is made of.
+fn profiles(house: &House, boards: &[&'static Board]) -> Result<Vec<Profiled>, String> {
+    let mut profiles = Vec::new();
+    for board in boards.iter().filter(|board| MODELS.iter().any(|m| m.board == board.name)) {
+        let profiler = Profiler::new(house, board)?;
+        for scene in marked().chain(LIT_VERTEX_OF) {
+            let profile = profiler.run(&[scene.to_owned()])?;
+            profiles.push(Profiled { board: board.name, scene, profile });
+        }
+    }
+    Ok(profiles)
+}
+
 /// Cycles by the models, of the scenes that have marks.
-fn cycles(house: &House, boards: &[&'static Board], lines: &[Line]) -> Result<Figures, String> {
-    let scenes = || MARKS.iter().map(|mark| mark.scene).filter(|scene| *scene != LIT_VERTEX);
-    let mut figures = table(scenes());
+fn cycles(boards: &[&'static Board], lines: &[Line], profiles: &[Profiled]) -> Figures {
+    let mut figures = table(marked());
     for board in boards {
         let Some(model) = MODELS.iter().find(|model| model.board == board.name) else { continue };
-        let profiler = Profiler::new(house, board)?;
         figures.board(board.name);
-        for scene in scenes() {
-            let Some(line) = of(board.name, lines).find(|line| line.scene() == scene) else {
+        for scene in marked() {
+            let of_scene = |p: &&Profiled| p.board == board.name && p.scene == scene;
+            let line = of(board.name, lines).find(|line| line.scene() == scene);
+            let (Some(line), Some(profiled)) = (line, profiles.iter().find(of_scene)) else {
                 continue;
             };
-            let classes = Classes::of(&profiler.run(&[scene.to_owned()])?);
+            let classes = Classes::of(&profiled.profile);
             let per = Per::of(scene);
             let cycles = model.cycles(&classes);
             println!("board={} scene={scene} {classes} cycles={cycles:.0}", board.name);
             figures.put(scene, per.text(cycles / per.count(line) as f64));
         }
     }
-    Ok(figures)
+    figures
+}
+
+/// What was executed where a mark is missed.
+fn missed<'a>(lines: &'a [Line], profiles: &'a [Profiled]) -> Vec<loops::Missed<'a>> {
+    let mut missed = Vec::new();
+    for (column, board) in marks::BOARDS.into_iter().enumerate() {
+        for mark in &MARKS {
+            let (figure, most) = (figure(board, mark.scene, lines), mark.most[column]);
+            let (Some(figure), Some(most)) = (figure, most) else { continue };
+            // Of the lit vertex, both that it is made of.
+            let scenes = match mark.scene {
+                LIT_VERTEX => LIT_VERTEX_OF.to_vec(),
+                scene => vec![scene],
+            };
+            for scene in scenes.into_iter().filter(|_| figure > most) {
+                let of_scene = |p: &&Profiled| p.board == board && p.scene == scene;
+                let line = of(board, lines).find(|line| line.scene() == scene);
+                if let (Some(line), Some(Profiled { profile, .. })) =
+                    (line, profiles.iter().find(of_scene))
+                {
+                    let per = Per::of(scene);
+                    let units = profile.instructions as f64 / by(per, line.instructions(), line);
+                    missed.push(loops::Missed {
+                        board,
+                        scene,
+                        mark: mark.scene,
+                        figure: per.text(figure),
+                        most: per.text(most),
+                        per,
+                        units,
+                        profile,
+                    });
+                }
+            }
+        }
+    }
+    missed
 }
 
 /// The models themselves.

@@ -19,6 +19,7 @@ mod perspective;
 mod phong;
 mod point_coordinates;
 mod row;
+mod row_fill;
 mod scalar;
 mod scalars;
 mod shader;

@@ -71,8 +71,7 @@ fn functions(profile: &Profile) -> Vec<(String, u64)> {
 fn short(function: &str) -> String {
     let name = format!("{:#}", rustc_demangle::demangle(function));
     let (mut plain, mut depth) = (String::new(), 0_u32);
-    let mut words = name.chars().peekable();
-    while let Some(c) = words.next() {
+    for c in name.chars() {
         match c {
             // What begins a path is the type that a method is of; what follows a name is generic.
             '<' if depth == 0 && (plain.is_empty() || plain.ends_with('<')) => plain.push(c),

@@ -20,10 +20,11 @@ use choices::Choices as _;
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::models::TEAPOT;
 use microraster::{
-    AnyDepthState, AnyStencil, AtFragments, Bands, BlinnPhong, Camera, Color, Consecutive, Cull,
-    DisplayList, DrawContext, Every, Exact, Flat, FlatColor, Fog, Fogged, Frame, Gouraud, Less,
-    Light, ListError, ListTriangle, ListVertex, Mesh, Pass, Phong, Rect, Rgb, Rgb565, Shader, Size,
-    SmoothColor, Stats, Stenciled, Textured, Topology, TriangleStrip, VertexCache, VertexInput,
+    AnyDepthState, AnyStencil, AtFragments, Bands, BlinnPhong, Camera, Color, Consecutive, Corner,
+    Cull, DisplayList, DrawContext, Every, Exact, Flat, FlatColor, Fog, Fogged, Frame, Gouraud,
+    Less, Light, ListError, ListTriangle, ListVertex, Mesh, Pass, Perspective, Phong, Rect, Rgb,
+    Rgb565, Scalar, Shader, Size, SmoothColor, Stats, Stenciled, Textured, Topology, TriangleStrip,
+    VertexCache, VertexInput,
 };
 use scene_parts::{float, matrix, output, vector, Kit, Tests};
 use support::Random;
@@ -136,6 +137,27 @@ impl Draw {
     }
 }
 
+/// A number of each corner, in perspective: w is what tells a triangle's corners apart where they
+/// have one attribute.
+struct Numbered;
+
+impl Shader for Numbered {
+    type Vertex = Rgb;
+    type Varying = Perspective<Scalar, Exact>;
+    type Prepared = ();
+
+    fn prepare(&self, _: &DrawContext) {}
+
+    fn vertex(&self, (): &(), input: VertexInput<'_, Rgb>) -> Corner<Self::Varying> {
+        u16::from_le_bytes([input.attributes.r, input.attributes.g]).into()
+    }
+
+    fn fragment(&self, (): &(), number: &Self::Varying) -> Option<Color> {
+        let [low, high] = number.get().to_le_bytes();
+        Some(Color::new(low << 3, high, low))
+    }
+}
+
 /// Half of the colour of the corner that provokes, half of what lies between all three.
 struct Mixed;
 
@@ -197,7 +219,7 @@ impl Draw {
         let sampler = kit.sampler();
         let fog = Fog::linear(Rgb::BLUE, float(random, self.tame), float(random, self.tame));
         let sun = Light::directional(vector(random, self.tame), Rgb::WHITE);
-        match random.range(0, 10) {
+        match random.range(0, 11) {
             0 => self.through(&bare.with_topology(strip), &Gouraud::colored(), room),
             1 => self.through(&bare.indexed(&kit.indices), &Gouraud::colored(), room),
             2 => self.through(&bare.indexed(&kit.indices), &Flat::colored(), room),
@@ -213,6 +235,7 @@ impl Draw {
             9 => {
                 self.through(&lit.with_topology(strip), &Phong::new(BlinnPhong::new(&[sun])), room)
             }
+            10 => self.through(&bare.by_face().with_topology(strip), &Numbered, room),
             // Fewer attributes than vertices: of some triangles a corner has none.
             _ => {
                 let short = &kit.colors[..kit.colors.len() - 1];

@@ -8,7 +8,7 @@
 
 mod support;
 
-use microraster::math::{Mat4, Vec3};
+use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::raster::ScreenVertex;
 use microraster::texture::{Rgba5551, Sampler, Texture};
 use microraster::{
@@ -383,5 +383,30 @@ fn a_sprite_shows_its_texture_whole_and_a_cutout_leaves_its_holes_alone() {
         let expected =
             if inside { (texel, if texel == 0x1234 { 7 } else { 900 }) } else { (0x1234, 7) };
         assert_eq!((*pixel, code), expected, "pixel {x}, {y}");
+    }
+}
+
+/// A viewport of which the frame, or the band, holds nothing: every point is beside it.
+#[test]
+fn points_of_a_viewport_that_the_frame_does_not_hold_are_outside() {
+    let positions = [[0; 3]; 5];
+    let mesh = Mesh::new(&positions, &[Rgb::WHITE; 5]);
+    let mesh = mesh.with_topology(Points::new(Consecutive::new(5)));
+    let camera = Camera::perspective(60.0.degrees(), 0.1);
+    let model = Mat4::translation(Vec3::new(0.0, 0.0, -2.0));
+    for viewport in [(200, 0, 264, 48), (-90, 0, -20, 48), (0, 60, 64, 90), (0, -64, 64, 0)] {
+        let (left, top, right, bottom) = viewport;
+        for size in [0, 1, 16, 600, 4096] {
+            let (mut pixels, mut stats) = ([0_u16; 64 * 24], Stats::default());
+            let frame = Frame::<Rgb565>::new(&mut pixels, Size::new(64, 24));
+            let mut frame = frame.and_then(|frame| frame.band(24, 48)).expect("the lower half");
+            let of = |size: u32| SizeOf(move |_: VertexInput<'_, Rgb>, _: u16| size);
+            Pass::new(&camera)
+                .viewport(Rect::new(left, top, right, bottom))
+                .count(&mut stats)
+                .draw_points(&mut frame, &model, &mesh, &Flat::colored(), &of(size));
+            assert_eq!((stats.points, stats.outside), (5, 5), "{viewport:?}, {size}: {stats:?}");
+            assert!(pixels.iter().all(|pixel| *pixel == 0), "{viewport:?}, {size}");
+        }
     }
 }

@@ -152,7 +152,6 @@ const fn weighted_sum_by_halves(a: i32, p: i32, b: i32, q: i32) -> i32 {
 /// `a` and `b` must be below 2^16 in magnitude, p and q at most 2^27; `p` and `q` come from
 /// [`weight`].
 #[inline(always)]
-#[allow(clippy::cast_possible_truncation, reason = "below 2^28 in magnitude")]
 pub(crate) const fn weighted_sum(a: i32, p: i32, b: i32, q: i32) -> i32 {
     if BY_HALVES {
         weighted_sum_by_halves(a, p, b, q)

@@ -82,6 +82,17 @@ impl Face {
         covered: false,
     };
 
+    /// What belongs to the corners of the mesh's triangle, in the order of the one that is drawn;
+    /// of a piece as it comes.
+    #[inline(always)]
+    pub(super) fn in_order<C: Copy>(&self, [a, b, c]: [C; 3]) -> [C; 3] {
+        if self.triangle.flipped && !self.clipped {
+            [a, c, b]
+        } else {
+            [a, b, c]
+        }
+    }
+
     /// Puts the triangle's corners in their places: the second and the third change them where it is
     /// turned.
     #[inline(always)]

@@ -118,7 +118,7 @@ impl<H: Shader> Draw<'_, H> {
         cache: &mut CacheView<'_, Corner<H::Varying>>,
     ) -> Option<[Corner<H::Varying>; 3]> {
         if self.vertices.by_face {
-            return self.face_corners(face, positions);
+            return self.face_corners(face, positions).map(|corners| face.in_order(corners));
         }
         let [a, ..] = face.vertices;
         let mut corner =
@@ -135,7 +135,7 @@ impl<H: Shader> Draw<'_, H> {
         Some([corner(a)?, corner(b)?, corner(c)?])
     }
 
-    /// The same where attributes are the triangle's own.
+    /// The same where attributes are the triangle's own, in the order of the mesh.
     #[inline(always)]
     pub(super) fn face_corners<P: Positions>(
         &self,

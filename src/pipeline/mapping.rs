@@ -258,7 +258,6 @@ impl Mapping {
 
     /// The depth code 2 + 65531 z / w, rounded to nearest.
     #[inline(always)]
-    #[allow(clippy::cast_possible_truncation, reason = "limited just before")]
     fn code(&self, clip: &Clip, over_w: Reciprocal) -> u16 {
         let Depth { numerator, shift, .. } = self.depth;
         let twice = if numerator != 0 {

@@ -153,6 +153,9 @@ impl<S> Pass<'_, S> {
     }
 }
 
+/// An area without a pixel, beside every corner that there may be.
+const NOWHERE: Rect = Rect { left: 1 << 24, top: 1 << 24, right: 1 << 24, bottom: 1 << 24 };
+
 /// The largest coordinate of a viewport: far beyond any picture, and nothing overflows.
 pub(super) const FARTHEST: u32 = 1 << 16;
 
@@ -218,7 +221,10 @@ impl<S: State> Pass<'_, S> {
         let place = (scale, offset.extend(1.0));
         let placed = (!H::OWN_POSITIONS).then_some(transform);
         let mapping = prepare(self.camera, near, model, &place, viewport, placed)?;
-        let area = scissor.intersection(viewport);
+        let area = match scissor.intersection(viewport) {
+            area if area.is_empty() => NOWHERE,
+            area => area,
+        };
         let culled = CulledWindings::new(self.cull, self.front);
         // What of this the shader does not look at is not made.
         let size = mapping.size();

@@ -241,7 +241,8 @@ impl<S: State> Pass<'_, S> {
     /// needs no numbers of bands.
     ///
     /// # Errors
-    /// The frame is of another picture; then nothing is drawn.
+    /// The frame is of another picture; then nothing is drawn. A mesh of which nothing can be drawn
+    /// is no error in any picture.
     pub fn replay_shared<H, F, D>(
         &mut self,
         frame: &mut Frame<'_, F, D>,
@@ -291,15 +292,6 @@ impl<S: State> Pass<'_, S> {
     }
 }
 
-/// What belongs to the corners of a face of the mesh, in the order of its triangle.
-fn in_order<C: Copy>([a, b, c]: [C; 3], face: &Face) -> [C; 3] {
-    if face.triangle.flipped {
-        [a, c, b]
-    } else {
-        [a, b, c]
-    }
-}
-
 impl<H: Shader> Draw<'_, H> {
     /// Records all triangles that may be seen.
     fn record<P, T, C>(
@@ -346,7 +338,7 @@ impl<H: Shader> Draw<'_, H> {
         list: &mut DisplayList<'_, Corner<H::Varying>>,
     ) -> Option<()> {
         let mut numbers = [0; 3];
-        let vertices = in_order(face.vertices, face);
+        let vertices = face.in_order(face.vertices);
         self.vertices.attributes.get(*vertices.first()? as usize)?;
         for (at, number) in numbers.iter_mut().enumerate() {
             let (index, vertex) = (*vertices.get(at)?, face.triangle.v.get(at)?);
@@ -409,7 +401,7 @@ impl<H: Shader> Draw<'_, H> {
             return Some(());
         }
         let [a, b, c] = &face.triangle.v;
-        let [p, q, r] = in_order(corners, face);
+        let [p, q, r] = face.in_order(corners);
         let numbers = [(a, p), (b, q), (c, r)].map(|(v, corner)| list.push_vertex(v, corner));
         list.push(numbers);
         Some(())

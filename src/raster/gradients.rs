@@ -83,8 +83,7 @@ impl Gradients {
     #[inline(never)]
     #[allow(
         clippy::cast_possible_truncation,
-        clippy::cast_possible_wrap,
-        reason = "areas of short sides fit, large ones are shifted so that they do; shifts are small"
+        reason = "areas of short sides fit, large ones are shifted so that they do"
     )]
     pub fn new(triangle: &Triangle) -> Self {
         let [a, b, c] = &triangle.v;

@@ -60,7 +60,6 @@ const _: () = assert!((WIDEST as i64) << FRACTION < 1 << 31, "the high part's pr
 
 /// dx / dy with 17 fraction bits, off by at most 9/8 of a unit.
 #[inline(always)]
-#[allow(clippy::cast_possible_truncation, reason = "in range as the assertions say")]
 fn slope(dx: i32, dy: i32) -> i32 {
     if BY_HALVES {
         by_inverse(dx, INVERSES.get(dy as usize).copied().unwrap_or(0))

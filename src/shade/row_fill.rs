@@ -30,6 +30,7 @@ impl<S: State, F: Format, V: Stepped> Row<'_, S, F, V> {
                     return pixels.iter_mut().zip(codes).for_each(|(pixel, stored)| {
                         store_visible((z >> 16) as u16, raw, pixel, stored, depth, counter);
                         z = z.wrapping_add(z_step);
+                        // Not unrolled, here and below: the copies would need more registers.
                         core::hint::black_box(());
                     });
                 }

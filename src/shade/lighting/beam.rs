@@ -4,7 +4,7 @@ pub struct Beam {
     /// Towards where it comes from, in mesh space: [`LENGTH`](Self::LENGTH) long, or zero at the
     /// very place of the light.
     pub direction: [i32; 3],
-    /// How much of it arrives, of [`FULL`](Self::FULL).
+    /// How much of it arrives, of [`FULL`](Self::FULL): no more than that.
     pub strength: u32,
 }
 

@@ -11,8 +11,8 @@ use crate::shade::{Coloring, DrawContext, VertexInput};
 /// differs by axis the light is only near.
 ///
 /// # Cost
-/// About 35 instructions a vertex and light on Cortex-M4, 60 on Cortex-M0+; directions go into model space once a
-/// draw, so that normals are never transformed.
+/// About 35 instructions a vertex and light on Cortex-M4, 60 on Cortex-M0+; directions go into model
+/// space once a draw, so that normals are never transformed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lambert<const N: usize, K = DirectionalLight> {
     lights: [Light<K>; N],

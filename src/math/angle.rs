@@ -132,7 +132,7 @@ impl Angle {
     ///
     /// # Measured
     /// <!-- tradeoff: teapot/trigonometry=exact -->
-    /// `exact` in the scene `teapot`: 1.71 M (M4F), 3.02 M (M0+), 1.87 M (RV32) instructions a frame; PSNR 40.7 dB.
+    /// `exact` in the scene `teapot`: 1.61 M (M4F), 2.69 M (M0+), 1.75 M (RV32) instructions a frame; PSNR 40.7 dB.
     #[must_use]
     pub const fn sin_cos(self) -> (f32, f32) {
         trigonometry::sin_cos(self.steps)
@@ -162,7 +162,7 @@ impl Angle {
     ///
     /// # Measured
     /// <!-- tradeoff: teapot/trigonometry=fast -->
-    /// `fast` in the scene `teapot`: 1.71 M (M4F), 3.01 M (M0+), 1.86 M (RV32) instructions a frame; PSNR 40.1 dB.
+    /// `fast` in the scene `teapot`: 1.61 M (M4F), 2.69 M (M0+), 1.75 M (RV32) instructions a frame; PSNR 40.1 dB.
     #[must_use]
     pub fn sin_cos_fast(self) -> (f32, f32) {
         approximate::sin_cos(self.radians())

@@ -19,10 +19,10 @@ const NONE: u32 = u32::MAX;
 ///
 /// # Measured
 /// <!-- tradeoff: bunny/cache=32 -->
-/// `32` in the scene `bunny`: 4.21 M (M4F), 8.56 M (M0+), 5.32 M (RV32) instructions a frame; PSNR 42.6 dB.
+/// `32` in the scene `bunny`: 3.49 M (M4F), 6.52 M (M0+), 4.34 M (RV32) instructions a frame; PSNR 42.6 dB.
 ///
 /// <!-- tradeoff: bunny/cache=2048 -->
-/// `2048` in the scene `bunny`: 2.88 M (M4F), 5.41 M (M0+), 3.32 M (RV32) instructions a frame; PSNR 42.6 dB.
+/// `2048` in the scene `bunny`: 2.52 M (M4F), 4.34 M (M0+), 2.92 M (RV32) instructions a frame; PSNR 42.6 dB.
 #[derive(Clone, Debug)]
 pub struct VertexCache<C, const N: usize> {
     entries: [Entry; N],

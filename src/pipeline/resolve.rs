@@ -6,10 +6,10 @@ use crate::shade::Dither;
 ///
 /// # Measured
 /// <!-- tradeoff: teapot/samples=2x2 -->
-/// `2x2` in the scene `teapot`: 15.85 M (M4F), 23.56 M (M0+), 15.81 M (RV32) instructions a frame; PSNR 40.7 dB.
+/// `2x2` in the scene `teapot`: 15.47 M (M4F), 22.31 M (M0+), 15.22 M (RV32) instructions a frame; PSNR 40.7 dB.
 ///
 /// <!-- tradeoff: teapot/samples=4x4 -->
-/// `4x4` in the scene `teapot`: 44.05 M (M4F), 74.50 M (M0+), 50.18 M (RV32) instructions a frame; PSNR 42.1 dB.
+/// `4x4` in the scene `teapot`: 42.31 M (M4F), 69.25 M (M0+), 47.37 M (RV32) instructions a frame; PSNR 42.1 dB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Supersampling {
     /// 2 x 2.

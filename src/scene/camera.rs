@@ -36,7 +36,7 @@ impl Camera {
     ///
     /// # Measured
     /// <!-- tradeoff: range/depth+range=infinite+1e3 -->
-    /// `infinite + 1e3` in the scene `range`: 2.64 M (M4F), 4.18 M (M0+), 2.78 M (RV32) instructions a frame; PSNR 19.4 dB.
+    /// `infinite + 1e3` in the scene `range`: 2.60 M (M4F), 3.69 M (M0+), 2.74 M (RV32) instructions a frame; PSNR 19.4 dB.
     #[inline]
     pub const fn perspective(field_of_view: Angle, near: f32) -> Self {
         let half_height = field_of_view.half().tan();
@@ -103,7 +103,7 @@ impl Camera {
     ///
     /// # Measured
     /// <!-- tradeoff: range/depth+range=far-plane+1e3 -->
-    /// `far-plane + 1e3` in the scene `range`: 2.64 M (M4F), 4.21 M (M0+), 2.79 M (RV32) instructions a frame; PSNR 15.4 dB.
+    /// `far-plane + 1e3` in the scene `range`: 2.59 M (M4F), 3.70 M (M0+), 2.73 M (RV32) instructions a frame; PSNR 15.4 dB.
     #[inline]
     #[must_use]
     pub const fn far(mut self, distance: f32) -> Self {

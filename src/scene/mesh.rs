@@ -22,7 +22,7 @@ use crate::math::Vec3;
 ///
 /// # Measured
 /// <!-- tradeoff: sphere-close/vertices=i16 -->
-/// `i16` in the scene `sphere-close`: 1.90 M (M4F), 3.41 M (M0+), 2.21 M (RV32) instructions a frame; PSNR 45.2 dB.
+/// `i16` in the scene `sphere-close`: 1.91 M (M4F), 3.19 M (M0+), 2.18 M (RV32) instructions a frame; PSNR 45.2 dB.
 #[derive(Clone, Copy, Debug)]
 pub struct Mesh<'a, A, T = List> {
     pub(crate) topology: T,

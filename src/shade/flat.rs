@@ -12,7 +12,7 @@ use crate::scene::Light;
 ///
 /// # Measured
 /// <!-- tradeoff: teapot/normals=face -->
-/// `face` in the scene `teapot`: 1.22 M (M4F), 1.95 M (M0+), 1.24 M (RV32) instructions a frame; PSNR 23.2 dB.
+/// `face` in the scene `teapot`: 1.14 M (M4F), 1.66 M (M0+), 1.18 M (RV32) instructions a frame; PSNR 23.2 dB.
 #[derive(Clone, Copy, Debug)]
 pub struct Flat<C>(C);
 

@@ -21,7 +21,7 @@ pub trait FogPlace: Copy {
 ///
 /// # Measured
 /// <!-- tradeoff: floor/fog=vertices -->
-/// `vertices` in the scene `floor`: 41.2 (M4F), 65.9 (M0+), 38.3 (RV32) instructions a pixel; PSNR 24.5 dB.
+/// `vertices` in the scene `floor`: 39.9 (M4F), 64.8 (M0+), 38.2 (RV32) instructions a pixel; PSNR 24.5 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtVertices;
 
@@ -36,7 +36,7 @@ pub struct AtVertices;
 ///
 /// # Measured
 /// <!-- tradeoff: floor/fog=fragments -->
-/// `fragments` in the scene `floor`: 64.1 (M4F), 93.9 (M0+), 60.4 (RV32) instructions a pixel; PSNR 43.1 dB.
+/// `fragments` in the scene `floor`: 62.0 (M4F), 92.9 (M0+), 60.3 (RV32) instructions a pixel; PSNR 43.1 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtFragments;
 

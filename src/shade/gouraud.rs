@@ -12,7 +12,7 @@ use crate::scene::Light;
 ///
 /// # Measured
 /// <!-- tradeoff: teapot/normals=vertex -->
-/// `vertex` in the scene `teapot`: 1.71 M (M4F), 3.02 M (M0+), 1.87 M (RV32) instructions a frame; PSNR 37.2 dB.
+/// `vertex` in the scene `teapot`: 1.61 M (M4F), 2.69 M (M0+), 1.75 M (RV32) instructions a frame; PSNR 37.2 dB.
 #[derive(Clone, Copy, Debug)]
 pub struct Gouraud<C>(C);
 

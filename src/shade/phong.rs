@@ -31,7 +31,7 @@ use crate::scene::Normal;
 ///
 /// # Measured
 /// <!-- tradeoff: teapot/normals=pixel -->
-/// `pixel` in the scene `teapot`: 11.07 M (M4F), 21.81 M (M0+), 15.17 M (RV32) instructions a frame; PSNR 40.8 dB.
+/// `pixel` in the scene `teapot`: 10.30 M (M4F), 20.15 M (M0+), 15.19 M (RV32) instructions a frame; PSNR 40.8 dB.
 #[derive(Clone, Copy, Debug)]
 pub struct Phong<L, M = Adaptive> {
     lighting: L,

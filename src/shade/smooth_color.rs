@@ -14,7 +14,7 @@ use crate::raster::{Gradients, Plane, PointSquare, Slopes, Span};
 ///
 /// # Measured
 /// <!-- tradeoff: plane-10/colour=linear -->
-/// `linear` in the scene `plane-10`: 19.3 (M4F), 29.9 (M0+), 19.7 (RV32) instructions a pixel; PSNR 14.6 dB.
+/// `linear` in the scene `plane-10`: 19.4 (M4F), 29.6 (M0+), 19.8 (RV32) instructions a pixel; PSNR 14.6 dB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SmoothColor(Color);
 

@@ -27,7 +27,7 @@ pub trait Filter: Copy {
 ///
 /// # Measured
 /// <!-- tradeoff: plane-4/perspective+filter=adaptive+nearest -->
-/// `adaptive + nearest` in the scene `plane-4`: 51.0 (M4F), 97.4 (M0+), 48.0 (RV32) instructions a pixel; 0.084 texels off, 1.11 at most; PSNR 21.2 dB.
+/// `adaptive + nearest` in the scene `plane-4`: 49.9 (M4F), 90.8 (M0+), 47.4 (RV32) instructions a pixel; 0.084 texels off, 1.11 at most; PSNR 21.2 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Nearest;
 
@@ -59,7 +59,7 @@ impl Filter for Nearest {
 ///
 /// # Measured
 /// <!-- tradeoff: plane-4/perspective+filter=adaptive+bilinear -->
-/// `adaptive + bilinear` in the scene `plane-4`: 112 (M4F), 180 (M0+), 103 (RV32) instructions a pixel; 0.084 texels off, 1.11 at most; PSNR 27.9 dB.
+/// `adaptive + bilinear` in the scene `plane-4`: 96.5 (M4F), 167 (M0+), 101 (RV32) instructions a pixel; 0.084 texels off, 1.11 at most; PSNR 27.9 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bilinear;
 
@@ -70,7 +70,7 @@ pub struct Bilinear;
 ///
 /// # Measured
 /// <!-- tradeoff: plane-4/perspective+filter=adaptive+fine-bilinear -->
-/// `adaptive + fine-bilinear` in the scene `plane-4`: 157 (M4F), 258 (M0+), 153 (RV32) instructions a pixel; 0.084 texels off, 1.11 at most; PSNR 27.7 dB.
+/// `adaptive + fine-bilinear` in the scene `plane-4`: 166 (M4F), 256 (M0+), 153 (RV32) instructions a pixel; 0.084 texels off, 1.11 at most; PSNR 27.7 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FineBilinear;
 

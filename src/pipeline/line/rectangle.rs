@@ -22,7 +22,7 @@ use crate::shade::{Event, Fragments, State};
 ///
 /// # Measured
 /// <!-- tradeoff: heads-up/line=rectangle -->
-/// `rectangle` in the scene `heads-up`: 79.9 (M4F), 144 (M0+), 82.2 (RV32) instructions a pixel; PSNR 23.0 dB.
+/// `rectangle` in the scene `heads-up`: 78.9 (M4F), 126 (M0+), 80.5 (RV32) instructions a pixel; PSNR 23.0 dB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rectangle(pub u8);
 

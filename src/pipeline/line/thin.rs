@@ -17,7 +17,7 @@ use crate::shade::{Fragments, State};
 ///
 /// # Measured
 /// <!-- tradeoff: heads-up/line=thin -->
-/// `thin` in the scene `heads-up`: 17.2 (M4F), 31.4 (M0+), 20.3 (RV32) instructions a pixel; PSNR 22.7 dB.
+/// `thin` in the scene `heads-up`: 17.2 (M4F), 30.8 (M0+), 20.3 (RV32) instructions a pixel; PSNR 22.7 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Thin;
 

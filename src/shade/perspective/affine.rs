@@ -10,7 +10,7 @@ use crate::shade::{Corner, Interpolated, Stepped, Varying};
 ///
 /// # Measured
 /// <!-- tradeoff: plane-10/perspective=affine -->
-/// `affine` in the scene `plane-10`: 27.3 (M4F), 40.2 (M0+), 20.5 (RV32) instructions a pixel; 294 texels off, 465 at most; PSNR 6.9 dB.
+/// `affine` in the scene `plane-10`: 27.1 (M4F), 42.0 (M0+), 21.3 (RV32) instructions a pixel; 294 texels off, 465 at most; PSNR 6.9 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Affine;
 

@@ -38,5 +38,5 @@ pub trait PerspectiveVarying:
 ///
 /// # Measured
 /// <!-- tradeoff: plane-10/colour=adaptive -->
-/// `adaptive` in the scene `plane-10`: 47.0 (M4F), 95.2 (M0+), 54.8 (RV32) instructions a pixel; PSNR 41.1 dB.
+/// `adaptive` in the scene `plane-10`: 47.3 (M4F), 87.8 (M0+), 52.8 (RV32) instructions a pixel; PSNR 41.1 dB.
 pub type Perspective<V, M = super::Adaptive> = <M as PerspectiveMode>::Of<V>;

@@ -11,7 +11,7 @@ use crate::shade::{Corner, Interpolated, Stepped, Varying, Words};
 ///
 /// # Measured
 /// <!-- tradeoff: plane-10/perspective=every-16 -->
-/// `every-16` in the scene `plane-10`: 39.9 (M4F), 74.9 (M0+), 36.1 (RV32) instructions a pixel; 1.33 texels off, 41.1 at most; PSNR 15.3 dB.
+/// `every-16` in the scene `plane-10`: 39.1 (M4F), 70.4 (M0+), 36.2 (RV32) instructions a pixel; 1.33 texels off, 41.1 at most; PSNR 15.3 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Every<const N: i32>;
 
@@ -24,7 +24,7 @@ pub struct Every<const N: i32>;
 ///
 /// # Measured
 /// <!-- tradeoff: plane-10/perspective=adaptive -->
-/// `adaptive` in the scene `plane-10`: 56.6 (M4F), 109 (M0+), 53.9 (RV32) instructions a pixel; 0.16 texels off, 4.13 at most; PSNR 22.1 dB.
+/// `adaptive` in the scene `plane-10`: 55.1 (M4F), 102 (M0+), 53.1 (RV32) instructions a pixel; 0.16 texels off, 4.13 at most; PSNR 22.1 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Adaptive;
 

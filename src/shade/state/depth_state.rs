@@ -19,7 +19,7 @@ macro_rules! hand_on {
 ///
 /// # Measured
 /// <!-- tradeoff: fill/depth=read-only -->
-/// `read-only` in the scene `fill`: 15.8 (M4F), 28.0 (M0+), 18.1 (RV32) instructions a pixel; PSNR 40.8 dB.
+/// `read-only` in the scene `fill`: 15.9 (M4F), 27.8 (M0+), 18.2 (RV32) instructions a pixel; PSNR 40.8 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ReadOnly<D> {
     test: D,
@@ -58,7 +58,7 @@ impl<D: DepthTest<Access = ReadWrite>> DepthTest for ReadOnly<D> {
 ///
 /// # Measured
 /// <!-- tradeoff: fill/depth=constant -->
-/// `constant` in the scene `fill`: 18.8 (M4F), 29.0 (M0+), 19.1 (RV32) instructions a pixel; PSNR 40.8 dB.
+/// `constant` in the scene `fill`: 18.9 (M4F), 28.8 (M0+), 19.2 (RV32) instructions a pixel; PSNR 40.8 dB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ConstantDepth<D> {
     test: D,

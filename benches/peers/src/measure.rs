@@ -35,9 +35,9 @@ pub(crate) fn renderers() -> impl Iterator<Item = (&'static str, Make)> {
 
 /// Draws a scene with every renderer in turn, so many times.
 pub(crate) fn compare(scene: &Scene, size: Size, rounds: usize) -> Comparison {
-    let makes = RENDERERS.iter();
-    let mut ready: Vec<_> =
-        makes.filter_map(|(name, make)| Some((*name, make(scene, size)?, Duration::MAX))).collect();
+    let mut ready: Vec<_> = renderers()
+        .filter_map(|(name, make)| Some((name, make(scene, size)?, Duration::MAX)))
+        .collect();
     for _ in 0..rounds {
         for (_, renderer, least) in &mut ready {
             *least = round(renderer.as_mut(), scene.frames()).min(*least);
@@ -108,6 +108,21 @@ mod tests {
     /// Renderers whose corners keep fractions of pixels, which have the same picture but for
     /// rounding.
     const FINE: [&str; 4] = ["microraster", "llvmpipe", "retrofire", "euc"];
+
+    /// Where the driver is installed it takes part.
+    #[test]
+    fn llvmpipe_is_asked_for() {
+        assert!(renderers().any(|(name, _)| name == "llvmpipe"), "it is in the list");
+        let size = Size { width: 32, height: 24 };
+        let scenes = scenes(size, None);
+        let scene = scenes.first().expect("there are scenes");
+        if llvmpipe::make(scene, size).is_none() {
+            eprintln!("no llvmpipe here: install libegl1 and libgl1-mesa-dri to compare with it");
+            return;
+        }
+        let results = compare(scene, size, 1).results;
+        assert!(results.iter().any(|result| result.renderer == "llvmpipe"), "it draws");
+    }
 
     #[test]
     fn renderers_of_fine_corners_draw_the_same_pictures() {

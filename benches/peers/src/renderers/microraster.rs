@@ -7,8 +7,8 @@ use alloc::vec::Vec;
 use microraster::math::{Angle, Mat4, Vec3};
 use microraster::texture::{Sampler, Texture};
 use microraster::{
-    normal, Camera, Color, Cull, DepthBuffer, Flat, Frame, Gouraud, Lambert, Less, Light, Mesh,
-    Normal, Pass, Rgb as Channels, Rgb565, Textured, VertexCache,
+    normal, Camera, Color, Cull, DepthBuffer, Flat, Frame, Gouraud, IndexedList, Lambert, Less,
+    Light, Mesh, Normal, Pass, Rgb as Channels, Rgb565, Textured, VertexCache,
 };
 
 use super::Renderer;
@@ -107,6 +107,40 @@ fn transposed(rows: &scene::Matrix) -> [[f32; 4]; 4] {
 }
 
 impl Drawing {
+    /// The camera of all scenes.
+    pub(crate) fn camera() -> Camera {
+        Camera::perspective(Angle::from_degrees(scene::FIELD_OF_VIEW), scene::NEAR)
+    }
+
+    /// The mesh's place in a frame.
+    pub(crate) fn model(&self, number: usize) -> Mat4 {
+        let [x, y, z, w] = transposed(&self.scene.model_view(number))
+            .map(|[x, y, z, w]| microraster::math::Vec4::new(x, y, z, w));
+        Mat4 { x, y, z, w }
+    }
+
+    /// A lit mesh and its light; whether it is smooth is what the scene says.
+    pub(crate) fn lit(&self) -> Option<(Mesh<'_, Normal, IndexedList<'_, u16>>, Lambert<1>)> {
+        let Attributes::Lit { normals, .. } = &self.attributes else { return None };
+        let grey = |part: f32| {
+            let level = (part * 255.0) as u8;
+            Channels::new(level, level, level)
+        };
+        let [x, y, z] = scene::SUN;
+        let sun = Light::directional(Vec3::new(x, y, z), grey(scene::DIFFUSE));
+        let light =
+            Lambert::new(&[sun]).ambient(grey(scene::AMBIENT)).material(channels(scene::MATERIAL));
+        let mesh = Mesh::new(&self.positions, normals)
+            .indexed(&self.indices)
+            .placed(self.scale, self.offset);
+        Some((mesh, light))
+    }
+
+    /// Whether a lit mesh is smooth.
+    pub(crate) fn is_smooth(&self) -> bool {
+        matches!(self.attributes, Attributes::Lit { smooth: true, .. })
+    }
+
     /// Draws a frame.
     pub(crate) fn draw(
         &self,
@@ -114,10 +148,7 @@ impl Drawing {
         number: usize,
         cache: &mut Cache,
     ) {
-        let camera = Camera::perspective(Angle::from_degrees(scene::FIELD_OF_VIEW), scene::NEAR);
-        let [x, y, z, w] = transposed(&self.scene.model_view(number))
-            .map(|[x, y, z, w]| microraster::math::Vec4::new(x, y, z, w));
-        let model = Mat4 { x, y, z, w };
+        let (camera, model) = (Self::camera(), self.model(number));
         let Self { positions, indices, .. } = self;
         let placed = (self.scale, self.offset);
         let pass = Pass::new(&camera);
@@ -142,18 +173,8 @@ impl Drawing {
                 let shader = Flat::colored();
                 pass.depth(Less).draw_cached(frame, &model, &mesh, &shader, cache);
             }
-            Attributes::Lit { normals, smooth } => {
-                let grey = |part: f32| {
-                    let level = (part * 255.0) as u8;
-                    Channels::new(level, level, level)
-                };
-                let [x, y, z] = scene::SUN;
-                let sun = Light::directional(Vec3::new(x, y, z), grey(scene::DIFFUSE));
-                let light = Lambert::new(&[sun])
-                    .ambient(grey(scene::AMBIENT))
-                    .material(channels(scene::MATERIAL));
-                let mesh =
-                    Mesh::new(positions, normals).indexed(indices).placed(placed.0, placed.1);
+            Attributes::Lit { smooth, .. } => {
+                let Some((mesh, light)) = self.lit() else { return };
                 let mut pass = pass.depth(Less).cull(Cull::Back);
                 if *smooth {
                     pass.draw_cached(frame, &model, &mesh, &Gouraud::new(light), cache);

@@ -24,10 +24,7 @@ pub(crate) fn print(house: &House, board: &Board, words: &[String]) -> Result<()
 
 /// The listing, in the order of addresses; `...` stands for what is not hot.
 fn listing(profile: &Profile) -> String {
-    let most = profile.places.iter().map(|place| place.count).max().unwrap_or(0);
-    let hot = |place: &&Place| place.count.saturating_mul(COOL) >= most;
-    let mut places: Vec<_> = profile.places.iter().filter(hot).collect();
-    places.sort_by_key(|place| place.address);
+    let places = profile.hot(COOL);
     let mut text = String::new();
     let mut before: Option<&Place> = None;
     for place in &places {

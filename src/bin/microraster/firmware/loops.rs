@@ -1,7 +1,7 @@
 //! The page of loops: what was executed in the scenes that miss a mark, so that one sees why.
 
 use super::per::Per;
-use super::profile::{Place, Profile};
+use super::profile::Profile;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -87,12 +87,8 @@ fn short(function: &str) -> String {
 
 /// The loop, in the order of addresses.
 fn listing(profile: &Profile, units: f64) -> String {
-    let most = profile.places.iter().map(|place| place.count).max().unwrap_or(0);
-    let hot = |place: &&Place| place.count.saturating_mul(COOL) >= most;
-    let mut places: Vec<_> = profile.places.iter().filter(hot).collect();
-    places.sort_by_key(|place| place.address);
     let mut text = String::new();
-    for place in places {
+    for place in profile.hot(COOL) {
         let each = place.count as f64 / units;
         let _ = writeln!(text, "{each:5.2}  {:08x}  {}", place.address, place.text);
     }
@@ -101,6 +97,7 @@ fn listing(profile: &Profile, units: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::profile::Place;
     use super::*;
 
     fn profile() -> Profile {

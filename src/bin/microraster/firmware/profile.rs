@@ -53,6 +53,18 @@ impl Profile {
     }
 }
 
+impl Profile {
+    /// The instructions that were executed at least one time for `cool` times of the most executed
+    /// one, in the order of addresses.
+    pub(crate) fn hot(&self, cool: u64) -> Vec<&Place> {
+        let most = self.places.iter().map(|place| place.count).max().unwrap_or(0);
+        let hot = |place: &&Place| place.count.saturating_mul(cool) >= most;
+        let mut places: Vec<_> = self.places.iter().filter(hot).collect();
+        places.sort_by_key(|place| place.address);
+        places
+    }
+}
+
 /// A row by address: count, share, address, the instruction, the function.
 fn place(row: &str) -> Option<Place> {
     let words: Vec<_> = row.split_whitespace().collect();

@@ -29,10 +29,10 @@ impl Renderer for Threaded {
     fn draw(&mut self, number: usize) {
         let Self { ready, pool } = self;
         match ready.drawing.lit() {
-            Some((_, light)) if ready.drawing.is_smooth() => {
+            Some((_, light, true)) => {
                 pool.install(|| replayed(ready, number, &Gouraud::new(light)));
             }
-            Some((_, light)) => pool.install(|| replayed(ready, number, &Flat::new(light))),
+            Some((_, light, false)) => pool.install(|| replayed(ready, number, &Flat::new(light))),
             None => pool.install(|| {
                 let Ready { drawing, size, pixels, depth, .. } = ready;
                 if let Ok(bands) = ParallelBands::<Rgb565>::new(pixels, depth, *size) {
@@ -58,7 +58,7 @@ where
     H::Varying: Varying<Corner = Color>,
 {
     let Ready { drawing, size, pixels, depth, .. } = ready;
-    let Some((mesh, _)) = drawing.lit() else { return };
+    let Some((mesh, ..)) = drawing.lit() else { return };
     let (camera, model) = (Drawing::camera(), drawing.model(number));
     let mut vertices = vec![ListVertex::<Corner<H::Varying>>::default(); ROOM];
     let mut triangles = vec![ListTriangle::BLANK; ROOM];

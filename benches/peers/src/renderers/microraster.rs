@@ -119,9 +119,9 @@ impl Drawing {
         Mat4 { x, y, z, w }
     }
 
-    /// A lit mesh and its light; whether it is smooth is what the scene says.
-    pub(crate) fn lit(&self) -> Option<(Mesh<'_, Normal, IndexedList<'_, u16>>, Lambert<1>)> {
-        let Attributes::Lit { normals, .. } = &self.attributes else { return None };
+    /// A lit mesh, its light, and whether it is smooth.
+    pub(crate) fn lit(&self) -> Option<(Mesh<'_, Normal, IndexedList<'_, u16>>, Lambert<1>, bool)> {
+        let Attributes::Lit { normals, smooth } = &self.attributes else { return None };
         let grey = |part: f32| {
             let level = (part * 255.0) as u8;
             Channels::new(level, level, level)
@@ -133,12 +133,7 @@ impl Drawing {
         let mesh = Mesh::new(&self.positions, normals)
             .indexed(&self.indices)
             .placed(self.scale, self.offset);
-        Some((mesh, light))
-    }
-
-    /// Whether a lit mesh is smooth.
-    pub(crate) fn is_smooth(&self) -> bool {
-        matches!(self.attributes, Attributes::Lit { smooth: true, .. })
+        Some((mesh, light, *smooth))
     }
 
     /// Draws a frame.
@@ -173,10 +168,10 @@ impl Drawing {
                 let shader = Flat::colored();
                 pass.depth(Less).draw_cached(frame, &model, &mesh, &shader, cache);
             }
-            Attributes::Lit { smooth, .. } => {
-                let Some((mesh, light)) = self.lit() else { return };
+            Attributes::Lit { .. } => {
+                let Some((mesh, light, smooth)) = self.lit() else { return };
                 let mut pass = pass.depth(Less).cull(Cull::Back);
-                if *smooth {
+                if smooth {
                     pass.draw_cached(frame, &model, &mesh, &Gouraud::new(light), cache);
                 } else {
                     pass.draw_cached(frame, &model, &mesh, &Flat::new(light), cache);

@@ -25,7 +25,7 @@ fn draw(rows: u16, display: &mut Vec<u16>) -> Result<usize, FrameError> {
             Pass::new(&camera).cull(Cull::Back).depth(Less).draw(frame, &turned, &TEAPOT, &shader);
         },
         |band| {
-            display.extend_from_slice(band.pixels);
+            display.extend_from_slice(band.pixels());
             Ok::<(), FrameError>(())
         },
     )?;

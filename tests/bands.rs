@@ -14,7 +14,9 @@ mod scene_parts;
 mod scenes;
 mod support;
 
-use microraster::{AnyDepthState, AnyStencil, Bands, FrameError, Rect, Rgb565, Size, Stenciled};
+use microraster::{
+    AnyDepthState, AnyStencil, Band, Bands, FrameError, Rect, Rgb565, Size, Stenciled,
+};
 use repertoire::{check_bands, Scene};
 use scenes::golden::render::render;
 use scenes::golden::{pictures, Picture};
@@ -59,6 +61,118 @@ fn buffers_without_a_row_and_pictures_that_are_none_are_refused() {
 }
 
 #[test]
+fn a_cropped_band_holds_what_lies_in_the_area_and_says_where() {
+    let mut random = Random(0xC409);
+    for case in 0..2000 {
+        let size = Size::new(random.range(1, 9) as u16, random.range(1, 9) as u16);
+        let mut buffer: Vec<u16> = (0..size.width * size.height + 5).collect();
+        let rows = random.range(1, size.height.into()) as u16;
+        let mut bands = Bands::<Rgb565>::new(&mut buffer, size).expect("a whole frame");
+        bands = bands.rows_at_most(rows);
+        let number = random.range(0, i32::from(bands.count()) - 1) as u16;
+        let mut band = bands.draw_band(number, |_| ()).expect("there is such a band");
+        let area = band.area();
+        let mut expected = band.pixels().to_vec();
+        let mut kept = area;
+        for _ in 0..2 {
+            let mut side = |past: i32| random.range(-2, past + 2);
+            let (left, top) = (side(area.right), side(area.bottom));
+            let right = left + side(area.right);
+            let to = Rect::new(left, top, right, top + side(area.bottom));
+            let before = kept;
+            kept = kept.intersection(to);
+            let columns = before.width() as usize;
+            expected = expected
+                .iter()
+                .enumerate()
+                .filter(|(i, _)| {
+                    let (x, y) = ((i % columns.max(1)) as i32, (i / columns.max(1)) as i32);
+                    kept.contains(before.left + x, before.top + y)
+                })
+                .map(|(_, raw)| *raw)
+                .collect();
+            band.crop(to);
+            if kept.is_empty() {
+                kept = Rect::new(before.left, before.top, before.left, before.top);
+            }
+            assert_eq!(band.area(), kept, "case {case}: {to:?} of {before:?}");
+            assert_eq!(band.pixels(), expected, "case {case}: {to:?} of {before:?}");
+            assert_eq!(band.as_bytes().len(), expected.len() * 2, "two bytes a pixel");
+        }
+    }
+}
+
+#[test]
+fn two_buffers_in_turn_hold_the_same_bands_and_never_the_same_one_twice() {
+    let scene = |frame: &mut microraster::Frame<'_, Rgb565>| {
+        frame.clear(microraster::Rgb::new(1, 2, 3));
+        frame.set_scissor(Rect::new(5, 7, 40, 33));
+        frame.clear(microraster::Rgb::new(200, 100, 50));
+    };
+    for rows in [1, 7, 16, 48] {
+        let (mut one, mut two, mut three) =
+            (vec![0; 64 * rows], vec![0; 64 * rows], vec![0; 64 * rows]);
+        let mut expected = Vec::new();
+        let mut bands = Bands::<Rgb565>::new(&mut three, PICTURE).expect("a row fits");
+        bands
+            .draw(scene, |band| {
+                expected.extend_from_slice(band.pixels());
+                Ok::<(), FrameError>(())
+            })
+            .expect("nobody refuses");
+        let mut bands = Bands::<Rgb565>::new(&mut one, PICTURE).expect("a row fits");
+        let mut spare = Some(&mut two[..]);
+        for _picture in 0..2 {
+            let (mut sent, mut flying) = (Vec::new(), None::<Band<'_, Rgb565>>);
+            bands
+                .draw_double_buffered(scene, |band| {
+                    assert_eq!(
+                        band.first_row() as usize,
+                        sent.len() / 64 + {
+                            flying.as_ref().map_or(0, |band| band.size().height as usize)
+                        }
+                    );
+                    let free = match flying.replace(band) {
+                        Some(band) => {
+                            sent.extend_from_slice(band.pixels());
+                            band.into_buffer()
+                        }
+                        None => spare.take().expect("at the beginning there is one"),
+                    };
+                    // What is handed back may hold anything.
+                    free.fill(0xDEAD);
+                    Ok::<_, FrameError>(free)
+                })
+                .expect("buffers suffice");
+            let last = flying.expect("the last band");
+            sent.extend_from_slice(last.pixels());
+            spare = Some(last.into_buffer());
+            assert!(sent == expected, "{rows} rows");
+        }
+    }
+}
+
+#[test]
+fn a_buffer_that_is_too_short_or_missing_is_an_error_and_no_picture() {
+    let (mut one, mut two, mut short) = ([0; 64 * 8], [0; 64 * 8], [0; 64 * 8 - 1]);
+    let mut bands = Bands::<Rgb565>::new(&mut one, PICTURE).expect("eight rows");
+    let too_short = FrameError::Color { needed: 64 * 8, got: 64 * 8 - 1 };
+    assert_eq!(bands.swap_buffer(&mut short[..]).err(), Some(too_short), "not taken");
+    assert!(bands.draw_band(0, |_| ()).is_some(), "the buffer before is still there");
+    let mut drawn = 0;
+    let result = bands.draw_double_buffered(|_| drawn += 1, |_band| Ok::<_, FrameError>(&mut []));
+    assert_eq!(result, Err(FrameError::Color { needed: 64 * 8, got: 0 }), "an empty one back");
+    assert_eq!(drawn, 1, "no further band");
+    assert!(bands.draw_band(0, |_| ()).is_none(), "there is no buffer");
+    let result =
+        bands.draw_double_buffered(|_| drawn += 1, |band| Ok::<_, FrameError>(band.into_buffer()));
+    assert_eq!(result, Err(FrameError::Color { needed: 64 * 8, got: 0 }), "still none");
+    assert_eq!(drawn, 1, "nothing drawn for nobody");
+    assert_eq!(bands.swap_buffer(&mut two[..]).map(|before| before.len()), Ok(0), "a new one");
+    assert!(bands.draw_band(5, |_| ()).is_some_and(|band| band.pixels().len() == 512), "as ever");
+}
+
+#[test]
 fn bands_come_from_the_top_and_an_error_of_the_sender_ends_them() {
     let mut pixels = vec![0; 64 * 10];
     let mut bands = Bands::<Rgb565>::new(&mut pixels, PICTURE).expect("ten rows");
@@ -66,9 +180,9 @@ fn bands_come_from_the_top_and_an_error_of_the_sender_ends_them() {
     let result = bands.draw(
         |frame| drawn.push((frame.first_row(), frame.size(), frame.picture())),
         |band| {
-            assert_eq!(band.pixels.len(), 64 * usize::from(band.size.height), "no gaps");
-            sent.push((band.first_row, band.size.height));
-            if band.first_row == 30 {
+            assert_eq!(band.pixels().len(), 64 * usize::from(band.size().height), "no gaps");
+            sent.push((band.first_row(), band.size().height));
+            if band.first_row() == 30 {
                 Err("the cable fell out")
             } else {
                 Ok(())
@@ -79,11 +193,11 @@ fn bands_come_from_the_top_and_an_error_of_the_sender_ends_them() {
     assert_eq!(sent, [(0, 10), (10, 10), (20, 10), (30, 10)], "in order, none after the error");
     assert_eq!(drawn.len(), 4, "none is drawn for nothing");
     assert!(drawn.iter().all(|(_, _, picture)| *picture == PICTURE), "{drawn:?}");
-    let last = bands.draw_band(4, |_| ()).map(|band| (band.first_row, band.size.height));
+    let last = bands.draw_band(4, |_| ()).map(|band| (band.first_row(), band.size().height));
     assert_eq!(last, Some((40, 8)), "what is left");
     assert!(bands.draw_band(5, |_| ()).is_none(), "there are five");
     assert!(bands.draw_band(u16::MAX, |_| ()).is_none(), "far beyond");
-    let first = bands.draw_band(0, |_| ()).map(|band| (band.first_row, band.size.height));
+    let first = bands.draw_band(0, |_| ()).map(|band| (band.first_row(), band.size().height));
     assert_eq!(first, Some((0, 10)), "again, in full height");
 }
 

@@ -198,7 +198,7 @@ impl Draw {
         let all = bands.expect("buffers of so many rows").draw::<()>(
             |frame| scene(frame),
             |band| {
-                sent.extend_from_slice(band.pixels);
+                sent.extend_from_slice(band.pixels());
                 Ok(())
             },
         );

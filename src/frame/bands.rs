@@ -1,5 +1,7 @@
+use core::cell::Cell;
+
 use super::view::length;
-use super::{DepthBuffer, Frame, FrameError, NoDepth, Size, StencilBuffer};
+use super::{DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, StencilBuffer};
 use crate::color::Format;
 
 /// A picture drawn a few rows at a time, through buffers that hold no more than those.
@@ -28,7 +30,7 @@ use crate::color::Format;
 ///         frame.clear(Rgb::BLACK);
 ///         ScreenPass::new().triangle(frame, &Flat::colored(), &triangle);
 ///     },
-///     |band| write_window(band.first_row, band.pixels),
+///     |band| write_window(band.first_row(), band.pixels()),
 /// );
 /// assert_eq!(sent_all, Ok(()));
 /// # assert_eq!(sent, [(0, 48), (3, 48), (6, 48), (9, 16)]);
@@ -47,21 +49,104 @@ pub struct Bands<'a, F: Format, D = NoDepth> {
 }
 
 /// Rows of a picture that are complete: what goes to a display.
+///
+/// ```
+/// use microraster::{Bands, Rect, Rgb, Rgb565Be, Size};
+///
+/// let mut pixels = [0u16; 16 * 3];
+/// let mut bands = Bands::<Rgb565Be>::new(&mut pixels, Size::new(16, 10))?;
+/// let Some(mut band) = bands.draw_band(1, |frame| frame.clear(Rgb::RED)) else { unreachable!() };
+/// assert_eq!(band.area(), Rect::new(0, 3, 16, 6));
+/// // In the order in which panels take them: high byte first.
+/// assert_eq!(band.as_bytes()[..4], [0xF8, 0x00, 0xF8, 0x00]);
+/// // Only what changed.
+/// band.crop(Rect::new(2, 0, 4, 5));
+/// assert_eq!((band.area(), band.as_bytes().len()), (Rect::new(2, 3, 4, 5), 2 * 2 * 2));
+/// # Ok::<(), microraster::FrameError>(())
+/// ```
 pub struct Band<'a, F: Format> {
-    /// Its pixels, row by row without gaps. They may be changed: the next band overwrites them.
-    pub pixels: &'a mut [F::Raw],
+    /// At least as many pixels as the area has.
+    buffer: &'a mut [F::Raw],
+    area: Rect,
+}
+
+impl<'a, F: Format> Band<'a, F> {
+    /// Its pixels, row by row without gaps.
+    pub fn pixels(&self) -> &[F::Raw] {
+        self.buffer.get(..self.length()).unwrap_or_default()
+    }
+
+    /// The same, to be changed: the next band overwrites them.
+    pub fn pixels_mut(&mut self) -> &mut [F::Raw] {
+        let length = self.length();
+        self.buffer.get_mut(..length).unwrap_or_default()
+    }
+
+    /// Its pixels as the bytes that they are in memory: what a display's bus takes.
+    ///
+    /// [`Rgb565Be`](crate::Rgb565Be) has the order of nearly all panels of 16 bits a pixel, on every
+    /// machine; the bytes of [`Rgb565`](crate::Rgb565) are in the machine's own order.
+    pub fn as_bytes(&self) -> &[u8] {
+        bytemuck::cast_slice(self.pixels())
+    }
+
+    /// The pixels of the picture that these are.
+    pub fn area(&self) -> Rect {
+        self.area
+    }
+
     /// The picture's row that is the band's first.
-    pub first_row: u16,
-    /// The picture's width, and how many rows these are.
-    pub size: Size,
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in a picture")]
+    pub fn first_row(&self) -> u16 {
+        self.area.top as u16
+    }
+
+    /// Columns and rows.
+    #[allow(clippy::cast_possible_truncation, reason = "no more than a picture has")]
+    pub fn size(&self) -> Size {
+        Size::new(self.area.width() as u16, self.area.height() as u16)
+    }
+
+    /// Leaves only what lies in `area`, moved together so that there are no gaps.
+    ///
+    /// # Cost
+    /// Nothing where whole rows are left from the top; otherwise one copy of what is left.
+    pub fn crop(&mut self, area: Rect) {
+        let Rect { left, top, .. } = self.area;
+        let kept = self.area.intersection(area);
+        // One form of nothing, at the band's own corner.
+        let kept = if kept.is_empty() { Rect::new(left, top, left, top) } else { kept };
+        let (stride, width) = (self.area.width() as usize, kept.width() as usize);
+        let column = kept.left.abs_diff(left) as usize;
+        let first = (kept.top.abs_diff(top) as usize).wrapping_mul(stride).wrapping_add(column);
+        if width != stride || first != 0 {
+            let cells = Cell::from_mut(&mut *self.buffer).as_slice_of_cells();
+            for row in 0..kept.height() as usize {
+                let from = first.wrapping_add(row.wrapping_mul(stride));
+                let to = row.wrapping_mul(width);
+                // Never to the right of where it comes from, so that nothing is overwritten unread.
+                let places = [to, from].map(|at| cells.get(at..at.wrapping_add(width)));
+                let [Some(to), Some(from)] = places else { break };
+                to.iter().zip(from).for_each(|(to, from)| to.set(from.get()));
+            }
+        }
+        self.area = kept;
+    }
+
+    /// The whole buffer, which begins with the pixels and may be longer: back from a transfer, it
+    /// takes another band.
+    pub fn into_buffer(self) -> &'a mut [F::Raw] {
+        self.buffer
+    }
+
+    fn length(&self) -> usize {
+        (self.area.width() as usize).wrapping_mul(self.area.height() as usize)
+    }
 }
 
 impl<F: Format> core::fmt::Debug for Band<'_, F> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Band")
-            .field("first_row", &self.first_row)
-            .field("size", &self.size)
-            .finish_non_exhaustive()
+        f.debug_struct("Band").field("area", &self.area).finish_non_exhaustive()
     }
 }
 
@@ -139,6 +224,14 @@ impl<'a, F: Format, D> Bands<'a, F, D> {
         Size::new(self.frame.size().width, self.picture_height)
     }
 
+    /// The rows of a band, counted from the top; empty beyond the last.
+    pub fn area(&self, number: u16) -> Rect {
+        let height = i32::from(self.picture_height);
+        let top = i32::from(number).wrapping_mul(self.rows.into()).min(height);
+        let bottom = top.wrapping_add(self.rows.into()).min(height);
+        Rect::new(0, top, self.frame.size().width.into(), bottom)
+    }
+
     /// Draws the picture: `scene` draws all of it into each band, from the top, and `send` takes
     /// the band's pixels.
     ///
@@ -168,15 +261,93 @@ impl<'a, F: Format, D> Bands<'a, F, D> {
         number: u16,
         scene: impl FnOnce(&mut Frame<'a, F, D>),
     ) -> Option<Band<'_, F>> {
-        let first_row = number.checked_mul(self.rows)?;
-        if first_row >= self.picture_height {
+        let area = self.draw_area(number, scene)?;
+        let buffer = self.frame.all_rows()?;
+        Some(Band { buffer, area })
+    }
+
+    /// Draws the picture while the band before is still on its way: `send` takes each band with its
+    /// buffer, as soon as it is complete, and gives an empty buffer for the next one.
+    ///
+    /// That is the one that it took before, once its transfer is over: two buffers, of which the
+    /// hardware has one and the scene the other. `send` begins with a spare one; three work as well.
+    ///
+    /// ```
+    /// use microraster::{Band, Bands, FrameError, Rgb, Rgb565Be, Size};
+    ///
+    /// /// A transfer that goes on by itself, and owns what it sends.
+    /// struct Transfer {
+    ///     band: Band<'static, Rgb565Be>,
+    /// }
+    /// # let mut sent = Vec::new();
+    /// # let mut finish = |Transfer { band }: Transfer| -> Result<&'static mut [u16], FrameError> {
+    /// #     sent.push((band.first_row(), band.as_bytes().len()));
+    /// #     Ok(band.into_buffer())
+    /// # };
+    ///
+    /// // In firmware a `StaticCell` gives these.
+    /// let [drawn, spare] = [(); 2].map(|()| Box::leak(Box::new([0u16; 16 * 3])));
+    /// let mut bands = Bands::<Rgb565Be>::new(drawn, Size::new(16, 10))?;
+    /// let (mut transfer, mut spare) = (None, Some(&mut spare[..]));
+    /// bands.draw_double_buffered(
+    ///     |frame| frame.clear(Rgb::RED),
+    ///     |band| -> Result<_, FrameError> {
+    ///         // Waits until the band before is sent, and starts sending this one.
+    ///         let free = match transfer.take() {
+    ///             Some(transfer) => finish(transfer)?,
+    ///             None => spare.take().unwrap_or_default(),
+    ///         };
+    ///         transfer = Some(Transfer { band });
+    ///         Ok(free)
+    ///     },
+    /// )?;
+    /// // The last one; its buffer is spare in the next picture.
+    /// let spare = transfer.map(finish).transpose()?;
+    /// # assert!(spare.is_some_and(|buffer| buffer.len() == 48));
+    /// # assert_eq!(sent, [(0, 96), (3, 96), (6, 96), (9, 32)]);
+    /// # Ok::<(), FrameError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The first that `send` gives, or [`FrameError::Color`] where a buffer is too short for a band.
+    /// No further band is drawn then, and before the next picture
+    /// [`swap_buffer`](Self::swap_buffer) has to bring a buffer: nothing is drawn without one.
+    pub fn draw_double_buffered<E: From<FrameError>>(
+        &mut self,
+        mut scene: impl FnMut(&mut Frame<'a, F, D>),
+        mut send: impl FnMut(Band<'a, F>) -> Result<&'a mut [F::Raw], E>,
+    ) -> Result<(), E> {
+        self.frame.check_buffer(self.rows)?;
+        for number in 0..self.count() {
+            let Some(area) = self.draw_area(number, &mut scene) else { break };
+            let buffer = self.frame.take_buffer();
+            let empty = send(Band { buffer, area })?;
+            self.swap_buffer(empty)?;
+        }
+        Ok(())
+    }
+
+    /// Exchanges the buffer of pixels, and gives the one that was drawn into: what
+    /// [`draw_double_buffered`](Self::draw_double_buffered) does, for whoever awaits transfers.
+    ///
+    /// # Errors
+    /// [`FrameError::Color`] if it is too short for a band; then it is not taken.
+    pub fn swap_buffer(
+        &mut self,
+        buffer: &'a mut [F::Raw],
+    ) -> Result<&'a mut [F::Raw], FrameError> {
+        self.frame.swap_buffer(buffer, self.rows)
+    }
+
+    /// Draws one band, and says which pixels it is; `None` beyond the last.
+    fn draw_area(&mut self, number: u16, scene: impl FnOnce(&mut Frame<'a, F, D>)) -> Option<Rect> {
+        let area = self.area(number);
+        if area.is_empty() {
             return None;
         }
-        self.place(first_row);
+        self.place(self.rows.wrapping_mul(number));
         scene(&mut self.frame);
-        let (first_row, size) = (self.frame.first_row(), self.frame.size());
-        let pixels = self.frame.all_rows()?;
-        Some(Band { pixels, first_row, size })
+        Some(area)
     }
 
     /// Moves the frame to the rows from `first_row` on.

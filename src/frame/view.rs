@@ -146,7 +146,7 @@ pub(super) fn check_stride(size: Size, stride: u32) -> Result<(), FrameError> {
     Ok(())
 }
 
-impl<F: Format, D> Frame<'_, F, D> {
+impl<'a, F: Format, D> Frame<'a, F, D> {
     /// Makes the frame a band: its rows are rows `first_row..` of a picture of `picture_height`.
     ///
     /// Everything drawn keeps the picture's coordinates; only what lies in the band is stored. The
@@ -177,6 +177,36 @@ impl<F: Format, D> Frame<'_, F, D> {
         self.first_row = first_row;
         self.size.height = rows;
         self.scissor = self.held();
+    }
+
+    /// Whether there are pixels for so many rows without gaps.
+    pub(super) fn check_buffer(&self, rows: u16) -> Result<(), FrameError> {
+        let needed = needed(Size::new(self.size.width, rows), self.size.width.into());
+        let got = length(self.pixels);
+        if got < needed {
+            Err(FrameError::Color { needed, got })
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Takes the pixels away: nothing is drawn before there are others.
+    pub(super) fn take_buffer(&mut self) -> &'a mut [F::Raw] {
+        core::mem::take(&mut self.pixels)
+    }
+
+    /// Exchanges the pixels, if there are enough for so many rows without gaps.
+    pub(super) fn swap_buffer(
+        &mut self,
+        buffer: &'a mut [F::Raw],
+        rows: u16,
+    ) -> Result<&'a mut [F::Raw], FrameError> {
+        let before = core::mem::replace(&mut self.pixels, buffer);
+        if let Err(error) = self.check_buffer(rows) {
+            self.pixels = before;
+            return Err(error);
+        }
+        Ok(before)
     }
 
     /// All pixels that a frame without gaps holds.

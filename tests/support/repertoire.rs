@@ -335,9 +335,9 @@ where
                 written += u64::from(scene.draw::<F, T, _>(frame).pixels);
             },
             |band| {
-                let before = usize::from(band.first_row) * usize::from(scene.size.width);
+                let before = usize::from(band.first_row()) * usize::from(scene.size.width);
                 assert_eq!(before, sent.len(), "in order, without a gap");
-                sent.extend_from_slice(band.pixels);
+                sent.extend_from_slice(band.pixels());
                 Ok(())
             },
         );

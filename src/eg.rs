@@ -1,17 +1,18 @@
 //! The door to `embedded-graphics`: a [`Frame`] is a [`DrawTarget`], so that text and 2D land on
-//! the same pixels as the 3D picture.
+//! the same pixels as the 3D picture, and a [`Band`] is a [`Drawable`], so that every display driver
+//! takes it.
 
 use core::convert::Infallible;
 
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{OriginDimensions, Size};
+use embedded_graphics_core::geometry::{Dimensions, OriginDimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics_core::pixelcolor::{self, IntoStorage, PixelColor, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
-use embedded_graphics_core::Pixel;
+use embedded_graphics_core::{Drawable, Pixel};
 
 use crate::color::{Format, Rgb565, Rgb565Be, Rgba8888};
-use crate::frame::{Frame, Rect};
+use crate::frame::{Band, Frame, Rect};
 
 /// A pixel format that `embedded-graphics` has a colour for.
 ///
@@ -28,6 +29,10 @@ pub trait DrawFormat: Format {
 
     /// The stored value of a colour.
     fn pack_draw_color(color: Self::DrawColor) -> Self::Raw;
+
+    /// The colour of a stored value; `pack_draw_color(unpack_draw_color(raw)) == raw`, but that the
+    /// alpha of [`Rgba8888`] becomes 255.
+    fn unpack_draw_color(raw: Self::Raw) -> Self::DrawColor;
 }
 
 impl DrawFormat for Rgb565 {
@@ -36,6 +41,11 @@ impl DrawFormat for Rgb565 {
     #[inline]
     fn pack_draw_color(color: pixelcolor::Rgb565) -> u16 {
         RawU16::from(color).into_inner()
+    }
+
+    #[inline]
+    fn unpack_draw_color(raw: u16) -> pixelcolor::Rgb565 {
+        RawU16::new(raw).into()
     }
 }
 
@@ -46,6 +56,11 @@ impl DrawFormat for Rgb565Be {
     fn pack_draw_color(color: pixelcolor::Rgb565) -> u16 {
         color.into_storage().to_be()
     }
+
+    #[inline]
+    fn unpack_draw_color(raw: u16) -> pixelcolor::Rgb565 {
+        RawU16::new(u16::from_be(raw)).into()
+    }
 }
 
 impl DrawFormat for Rgba8888 {
@@ -54,6 +69,12 @@ impl DrawFormat for Rgba8888 {
     #[inline]
     fn pack_draw_color(color: pixelcolor::Rgb888) -> u32 {
         u32::from_ne_bytes([color.r(), color.g(), color.b(), 255])
+    }
+
+    #[inline]
+    fn unpack_draw_color(raw: u32) -> pixelcolor::Rgb888 {
+        let [red, green, blue, _] = raw.to_ne_bytes();
+        pixelcolor::Rgb888::new(red, green, blue)
     }
 }
 
@@ -170,5 +191,87 @@ impl<F: DrawFormat, D> DrawTarget for Frame<'_, F, D> {
     fn clear(&mut self, color: F::DrawColor) -> Result<(), Infallible> {
         self.fill_rect(self.scissor(), F::pack_draw_color(color));
         Ok(())
+    }
+}
+
+/// The rectangle of an area, which is not empty.
+fn rectangle(area: Rect) -> Rectangle {
+    Rectangle::new(Point::new(area.left, area.top), Size::new(area.width(), area.height()))
+}
+
+/// The pixels of the picture that these are.
+impl<F: Format> Dimensions for Band<'_, F> {
+    fn bounding_box(&self) -> Rectangle {
+        rectangle(self.area())
+    }
+}
+
+/// Sends the pixels to a display, or wherever else pixels go, by one
+/// [`fill_contiguous`](DrawTarget::fill_contiguous): the path that drivers make fast.
+///
+/// ```
+/// use embedded_graphics_core::prelude::*;
+/// use microraster::{Bands, Rgb, Rgb565, Size};
+/// # use embedded_graphics_core::pixelcolor;
+/// # use embedded_graphics_core::primitives::Rectangle;
+/// # struct Display(usize);
+/// # impl OriginDimensions for Display {
+/// #     fn size(&self) -> embedded_graphics_core::geometry::Size {
+/// #         embedded_graphics_core::geometry::Size::new(16, 10)
+/// #     }
+/// # }
+/// # impl DrawTarget for Display {
+/// #     type Color = pixelcolor::Rgb565;
+/// #     type Error = core::convert::Infallible;
+/// #     fn draw_iter<I: IntoIterator<Item = Pixel<Self::Color>>>(
+/// #         &mut self,
+/// #         pixels: I,
+/// #     ) -> Result<(), Self::Error> {
+/// #         self.0 += pixels.into_iter().filter(|pixel| pixel.1 == Self::Color::RED).count();
+/// #         Ok(())
+/// #     }
+/// # }
+/// # let mut display = Display(0);
+///
+/// let mut pixels = [0u16; 16 * 3];
+/// let mut bands = Bands::<Rgb565>::new(&mut pixels, Size::new(16, 10))?;
+/// let drawn = bands.draw(|frame| frame.clear(Rgb::RED), |band| band.draw(&mut display));
+/// assert!(drawn.is_ok());
+/// # assert_eq!(display.0, 160);
+/// # Ok::<(), microraster::FrameError>(())
+/// ```
+///
+/// # Cost
+/// Each pixel is unpacked and packed again by the driver, some ten instructions; where the driver
+/// takes bytes, [`as_bytes`](Band::as_bytes) costs none.
+impl<F: DrawFormat> Drawable for Band<'_, F> {
+    type Color = F::DrawColor;
+    type Output = ();
+
+    /// Nothing is sent of an empty area.
+    fn draw<T: DrawTarget<Color = F::DrawColor>>(&self, target: &mut T) -> Result<(), T::Error> {
+        if self.area().is_empty() {
+            return Ok(());
+        }
+        let colors = self.pixels().iter().map(|raw| F::unpack_draw_color(*raw));
+        target.fill_contiguous(&self.bounding_box(), colors)
+    }
+}
+
+/// Sends the rows that the frame holds to a display, to their place in the picture; the scissor
+/// limits what is sent.
+impl<F: DrawFormat, D> Drawable for Frame<'_, F, D> {
+    type Color = F::DrawColor;
+    type Output = ();
+
+    /// Nothing is sent of an empty area.
+    fn draw<T: DrawTarget<Color = F::DrawColor>>(&self, target: &mut T) -> Result<(), T::Error> {
+        let area = self.scissor();
+        if area.is_empty() {
+            return Ok(());
+        }
+        let rows = (area.top..area.bottom).filter_map(|y| self.samples(y, area.left, area.right));
+        let colors = rows.flatten().map(|raw| F::unpack_draw_color(*raw));
+        target.fill_contiguous(&rectangle(area), colors)
     }
 }

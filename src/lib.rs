@@ -54,7 +54,8 @@ pub use color::{Color, Format, Rgb, Rgb16, Rgb565, Rgb565Be, Rgba8888};
 #[cfg(feature = "embedded-graphics")]
 pub use eg::DrawFormat;
 pub use frame::{
-    Band, Bands, DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, StencilBuffer, MAX_SIDE,
+    Band, Bands, Damage, DepthBuffer, Frame, FrameError, NoDepth, Rect, Size, StencilBuffer,
+    MAX_SIDE,
 };
 pub use pipeline::{
     Attenuated, Clip, Cull, DisplayList, LineStyle, ListError, ListTriangle, ListVertex, Midpoint,
@@ -77,7 +78,7 @@ pub use shade::{
     Output, Perspective, PerspectiveCorner, PerspectiveMode, PerspectiveVarying, Phong,
     PointCoordinates, PolygonOffset, Premultiplied, ReadOnly, Replace, Row, Scalar, Scalars,
     Shader, SmoothColor, Solid, Sprite, State, States, Stats, Stencil, StencilCompare,
-    StencilOperation, Stenciled, Stepped, Subtract, Surface, Textured, Tinted, Uncounted,
+    StencilOperation, Stenciled, Stepped, Subtract, Surface, Textured, Tinted, Tracking, Uncounted,
     Undithered, Unlit, Uv, UvStep, Varying, VertexColors, VertexInput, Zero,
 };
 

@@ -1,7 +1,11 @@
 //! `Bands`: how many rows fit, what is handed out when, and that it is the whole frame's picture.
 #![cfg(feature = "std")]
 #![allow(clippy::expect_used, reason = "a picture that cannot be drawn is a failure")]
-#![allow(clippy::cast_possible_truncation, reason = "random numbers are cut to what is wanted")]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "random numbers are cut to what is wanted"
+)]
 #![allow(dead_code, reason = "the scenes serve other programs too")]
 
 #[path = "support/choices.rs"]

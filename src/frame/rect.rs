@@ -38,6 +38,23 @@ impl Rect {
         }
     }
 
+    /// The smallest rectangle that holds both; an empty one adds nothing.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        if other.is_empty() {
+            return self;
+        }
+        if self.is_empty() {
+            return other;
+        }
+        Self {
+            left: self.left.min(other.left),
+            top: self.top.min(other.top),
+            right: self.right.max(other.right),
+            bottom: self.bottom.max(other.bottom),
+        }
+    }
+
     /// Whether no pixel lies inside.
     pub const fn is_empty(self) -> bool {
         self.left >= self.right || self.top >= self.bottom

@@ -174,6 +174,22 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         self.triangle_count
     }
 
+    /// The rectangle in which all triangles lie.
+    pub(super) fn bounds(&self) -> Rect {
+        let count = self.vertex_count as usize;
+        let (mut low, mut high) = ((i32::MAX, i32::MAX), (i32::MIN, i32::MIN));
+        for vertex in self.vertices.iter().take(count).map(ListVertex::vertex) {
+            let (x, y) = (vertex.x_bits(), vertex.y_bits());
+            low = (low.0.min(x), low.1.min(y));
+            high = (high.0.max(x), high.1.max(y));
+        }
+        if count == 0 {
+            return Rect::default();
+        }
+        let [left, top, right, bottom] = [low.0, low.1, high.0, high.1].map(first_center);
+        Rect { left, top, right, bottom }
+    }
+
     /// Forgets everything, for a picture of this size.
     pub(super) fn start(&mut self, picture: Size) {
         (self.vertex_count, self.triangle_count) = (0, 0);

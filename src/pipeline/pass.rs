@@ -7,13 +7,13 @@ use super::mapping::Mapping;
 use super::transform::{Depth, Place, Transform};
 use super::{Cull, CulledWindings, VertexCache, Winding};
 use crate::color::Format;
-use crate::frame::{Frame, Rect, Size, Supplies, MAX_SIDE};
+use crate::frame::{Damage, Frame, Rect, Size, Supplies, MAX_SIDE};
 use crate::math::Mat4;
 use crate::raster::{Traversal, GUARD, SUBPIXELS};
 use crate::scene::{Camera, Mesh, Topology, Vertices};
 use crate::shade::{
     Blend, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event, Output,
-    Shader, State, States, Stats,
+    Shader, State, States, Stats, Tracking, Uncounted,
 };
 
 /// Draws meshes: a camera, and the state in which triangles are drawn.
@@ -75,12 +75,15 @@ impl<'c, D, C, T, O> Pass<'c, States<D, C, T, O>> {
         })
     }
 
-    /// Counts triangles and pixels into `stats`, on top of what it holds.
-    pub fn count(self, stats: &mut Stats) -> Pass<'c, States<D, Counting<'_>, T, O>> {
-        let counter = Counting(stats);
-        self.map(|States { depth, traversal, output, .. }| States {
+    /// Adds to `damage` where triangles, lines and points are drawn, also where they are hidden: what
+    /// of the picture a display has to be sent.
+    ///
+    /// # Cost
+    /// Some ten instructions a row of each primitive.
+    pub fn track_damage(self, damage: &mut Damage) -> Pass<'c, States<D, Tracking<'_, C>, T, O>> {
+        self.map(|States { depth, counter, traversal, output }| States {
             depth,
-            counter,
+            counter: Tracking(damage, counter),
             traversal,
             output,
         })
@@ -99,6 +102,19 @@ impl<'c, D, C, T, O> Pass<'c, States<D, C, T, O>> {
     fn map<N>(self, change: impl FnOnce(States<D, C, T, O>) -> N) -> Pass<'c, N> {
         let Self { camera, cull, front, viewport, state } = self;
         Pass { camera, cull, front, viewport, state: change(state) }
+    }
+}
+
+impl<'c, D, T, O> Pass<'c, States<D, Uncounted, T, O>> {
+    /// Counts triangles and pixels into `stats`, on top of what it holds.
+    pub fn count(self, stats: &mut Stats) -> Pass<'c, States<D, Counting<'_>, T, O>> {
+        let counter = Counting(stats);
+        self.map(|States { depth, traversal, output, .. }| States {
+            depth,
+            counter,
+            traversal,
+            output,
+        })
     }
 }
 

@@ -46,6 +46,15 @@ impl<H: Shader> Recording<'_, H> {
     pub fn triangles(&self) -> u32 {
         self.list.triangles()
     }
+
+    /// The pixels that may be drawn, as one rectangle: what is to be added to a
+    /// [`Damage`](crate::Damage) before anything is drawn, so that bands beside it need not be.
+    ///
+    /// # Cost
+    /// A look at each vertex.
+    pub fn bounds(&self) -> Rect {
+        self.list.bounds().intersection(self.area)
+    }
 }
 
 /// Draws recorded triangles into a band.

@@ -3,14 +3,14 @@ use super::line::{LineDraw, Outcome};
 use super::point::{draw_point, single_points};
 use super::{Cull, CulledWindings, LineStyle, Winding};
 use crate::color::Format;
-use crate::frame::{Frame, Size, Supplies};
+use crate::frame::{Damage, Frame, Size, Supplies};
 use crate::math::{Mat4, Vec3};
 #[cfg(doc)]
 use crate::raster::PointSquare;
 use crate::raster::{Fit, Fitted, ScreenVertex, SpanBatch, Traversal};
 use crate::shade::{
     Blend, Bound, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event,
-    Fragments, Output, Shader, State, States, Stats,
+    Fragments, Output, Shader, State, States, Stats, Tracking, Uncounted,
 };
 
 /// A corner on the screen and what shader `H` interpolates from it.
@@ -60,12 +60,15 @@ impl<D, C, T, O> ScreenPass<States<D, C, T, O>> {
         })
     }
 
-    /// Counts triangles and pixels into `stats`, on top of what it holds.
-    pub fn count(self, stats: &mut Stats) -> ScreenPass<States<D, Counting<'_>, T, O>> {
-        let counter = Counting(stats);
-        self.map(|States { depth, traversal, output, .. }| States {
+    /// Adds to `damage` where triangles, lines and points are drawn, also where they are hidden: what
+    /// of the picture a display has to be sent.
+    ///
+    /// # Cost
+    /// Some ten instructions a row of each primitive.
+    pub fn track_damage(self, damage: &mut Damage) -> ScreenPass<States<D, Tracking<'_, C>, T, O>> {
+        self.map(|States { depth, counter, traversal, output }| States {
             depth,
-            counter,
+            counter: Tracking(damage, counter),
             traversal,
             output,
         })
@@ -84,6 +87,19 @@ impl<D, C, T, O> ScreenPass<States<D, C, T, O>> {
     fn map<N>(self, change: impl FnOnce(States<D, C, T, O>) -> N) -> ScreenPass<N> {
         let Self { cull, front, state } = self;
         ScreenPass { cull, front, state: change(state) }
+    }
+}
+
+impl<D, T, O> ScreenPass<States<D, Uncounted, T, O>> {
+    /// Counts triangles and pixels into `stats`, on top of what it holds.
+    pub fn count(self, stats: &mut Stats) -> ScreenPass<States<D, Counting<'_>, T, O>> {
+        let counter = Counting(stats);
+        self.map(|States { depth, traversal, output, .. }| States {
+            depth,
+            counter,
+            traversal,
+            output,
+        })
     }
 }
 

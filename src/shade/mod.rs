@@ -69,7 +69,8 @@ pub use state::{
     DepthTest, Dither, Dither4, Dither8, Equal, Event, Greater, GreaterEqual, IncrementClamp,
     IncrementWrap, Invert, Keep, Less, LessEqual, Multiply, Never, NotEqual, Off, Output,
     PolygonOffset, Premultiplied, ReadOnly, Replace, State, States, Stats, Stencil, StencilCompare,
-    StencilOperation, Stenciled, Subtract, TestCell, Uncounted, Undithered, Verdict, Zero,
+    StencilOperation, Stenciled, Subtract, TestCell, Tracking, Uncounted, Undithered, Verdict,
+    Zero,
 };
 pub use textured::Textured;
 pub use unlit::Unlit;

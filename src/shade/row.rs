@@ -50,6 +50,14 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         self.y
     }
 
+    /// Says where it is, before it is drawn.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "of a picture")]
+    pub(crate) fn announce(&mut self) {
+        let end = self.x.wrapping_add(self.pixels.len() as i32);
+        self.counter.row(self.y, self.x, end);
+    }
+
     /// The varying at the first pixel.
     #[inline(always)]
     pub fn varying(&self) -> &V {

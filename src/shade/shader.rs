@@ -134,7 +134,8 @@ impl<H: Shader> Fragments for Bound<'_, H> {
     }
 
     #[inline(always)]
-    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, H::Varying>) {
+    fn span<S: State, F: Format>(&self, mut row: Row<'_, S, F, H::Varying>) {
+        row.announce();
         self.shader.span(self.prepared, row);
     }
 }

@@ -16,7 +16,7 @@ pub use blend::{
     Add, Alpha, AnyBlend, Average, Blend, ConstantAlpha, Multiply, Premultiplied, Replace, Subtract,
 };
 pub use color_mask::{AllChannels, AnyMask, Channels, ColorMask};
-pub use counter::{Counter, Counting, Event, Stats, Uncounted};
+pub use counter::{Counter, Counting, Event, Stats, Tracking, Uncounted};
 pub use depth_state::{AnyDepthState, ConstantDepth, DepthRange, PolygonOffset, ReadOnly};
 pub use depth_test::{
     Always, AnyDepth, DepthTest, Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual, Off,

@@ -18,10 +18,10 @@ use microraster::raster::ScreenVertex;
 use microraster::texture::Sample;
 use microraster::{
     Adaptive, Affine, AtFragments, AtVertices, Attenuated, Bands, BlinnPhong, Camera, Color,
-    Consecutive, DepthBuffer, Every, Exact, Flat, Fog, Fogged, Format, Frame, Gouraud, Light,
-    LineStrip, Matcap, Mesh, Midpoint, Pass, PerspectiveMode, Phong, Points, Rect, Rectangle, Rgb,
-    ScreenPass, Shader, Size, Smooth, Stats, StencilBuffer, Stippled, Textured, Thin, Topology,
-    TriangleStrip, Wide,
+    Consecutive, Damage, DepthBuffer, Every, Exact, Flat, Fog, Fogged, Format, Frame, Gouraud,
+    Light, LineStrip, Matcap, Mesh, Midpoint, Pass, PerspectiveMode, Phong, Points, Rect,
+    Rectangle, Rgb, ScreenPass, Shader, Size, Smooth, Stats, StencilBuffer, Stippled, Textured,
+    Thin, Topology, TriangleStrip, Wide,
 };
 
 /// One scene: all that is drawn follows from the choices.
@@ -32,6 +32,9 @@ pub(crate) struct Scene<C> {
     pub(crate) tame: bool,
     pub(crate) size: Size,
 }
+
+/// What a draw says of itself.
+type Facts<'a> = (&'a mut Stats, &'a mut Damage);
 
 impl<C: Choices + std::fmt::Debug> Scene<C> {
     /// A scene from choices alone.
@@ -50,17 +53,19 @@ impl<C: Choices + std::fmt::Debug> Scene<C> {
     fn draw<F: Format, T: Tests, D: Supplies<T::Access>>(
         &self,
         frame: &mut Frame<'_, F, D>,
+        damage: &mut Damage,
     ) -> Stats {
         let choices = &mut self.choices.clone();
         let mut stats = Stats::default();
+        let facts = &mut (&mut stats, damage);
         let kit = Kit::new(choices, self.tame);
         let camera = self.camera(choices);
         let model = matrix(choices, self.tame);
         for _ in 0..choices.range(1, 6) {
             if choices.is_one_in(5) {
-                self.on_screen::<F, T, D>(choices, frame, &mut stats);
+                self.on_screen::<F, T, D>(choices, frame, facts);
             } else {
-                self.mesh::<F, T, D>(choices, frame, (&kit, &camera, &model), &mut stats);
+                self.mesh::<F, T, D>(choices, frame, (&kit, &camera, &model), facts);
             }
         }
         let came = u64::from(stats.triangles) + u64::from(stats.lines) + u64::from(stats.points);
@@ -92,7 +97,7 @@ impl<C: Choices + std::fmt::Debug> Scene<C> {
         choices: &mut C,
         frame: &mut Frame<'_, F, D>,
         (kit, camera, model): (&Kit, &Camera, &Mat4),
-        stats: &mut Stats,
+        (stats, damage): &mut Facts<'_>,
     ) {
         let tame = self.tame;
         let (blend, dither, mask) = crate::scene_parts::output(choices);
@@ -103,7 +108,8 @@ impl<C: Choices + std::fmt::Debug> Scene<C> {
             .blend(blend)
             .dither(dither)
             .color_mask(mask)
-            .count(stats);
+            .count(stats)
+            .track_damage(damage);
         if choices.is_one_in(5) {
             let mut corner = || choices.range(-90, 90);
             pass = pass.viewport(Rect::new(corner(), corner(), corner(), corner()));
@@ -189,7 +195,7 @@ impl<C: Choices + std::fmt::Debug> Scene<C> {
         &self,
         choices: &mut C,
         frame: &mut Frame<'_, F, D>,
-        stats: &mut Stats,
+        (stats, damage): &mut Facts<'_>,
     ) {
         let reach = choices.one_of(&[1_000, 30_000, 70_000]);
         let mut corner = || {
@@ -206,7 +212,8 @@ impl<C: Choices + std::fmt::Debug> Scene<C> {
             .blend(blend)
             .dither(dither)
             .color_mask(mask)
-            .count(stats);
+            .count(stats)
+            .track_damage(damage);
         let (gouraud, width) = (Gouraud::colored(), choices.range(0, 255) as u8);
         match choices.range(0, 6) {
             0 | 1 => pass.triangle(frame, &gouraud, &[a, b, c]),
@@ -271,7 +278,7 @@ where
         let mut pixels = vec![blank; width * height];
         let mut codes = vec![CODE; width * height];
         let mut values = vec![VALUE; width * height];
-        let mut stats = Stats::default();
+        let (mut stats, mut damage) = (Stats::default(), Damage::new(Size::new(0, 0)));
         let bands = pixels.chunks_mut(width * rows).zip(codes.chunks_mut(width * rows));
         let bands = bands.zip(values.chunks_mut(width * rows));
         for (number, ((pixels, codes), values)) in bands.enumerate() {
@@ -284,8 +291,18 @@ where
             if let Some(scissor) = scissor {
                 frame.set_scissor(scissor);
             }
-            stats = scene.draw::<F, T, _>(&mut frame);
+            stats = scene.draw::<F, T, _>(&mut frame, &mut damage);
         }
+        // What was written is a part of what was tracked.
+        let tracked = damage.next_picture();
+        for (i, after) in pixels.iter().zip(&codes).zip(&values).enumerate() {
+            let same = after == ((&blank, &CODE), &VALUE);
+            let inside = tracked.contains((i % width) as i32, (i / width) as i32);
+            assert!(same || inside, "pixel {i} beside {tracked:?}: {scene:?}");
+        }
+        let held = scissor.unwrap_or(Rect::from_size(scene.size));
+        let within = tracked.is_empty() || tracked.intersection(held) == tracked;
+        assert!(within, "{tracked:?} is more than is drawn: {scene:?}");
         (pixels, codes, values, stats)
     };
     let (pixels, codes, values, stats) = drawn(None, height);
@@ -332,7 +349,8 @@ where
                 frame.clear_color(Rgb::new(90, 60, 30));
                 frame.clear_depth(CODE);
                 frame.clear_stencil(VALUE);
-                written += u64::from(scene.draw::<F, T, _>(frame).pixels);
+                let mut damage = Damage::new(scene.size);
+                written += u64::from(scene.draw::<F, T, _>(frame, &mut damage).pixels);
             },
             |band| {
                 let before = usize::from(band.first_row()) * usize::from(scene.size.width);

@@ -82,7 +82,8 @@ impl<H: Fragments> Fragments for Covered<'_, H> {
     const COLOR_AS_IS: bool = false;
 
     #[inline(always)]
-    fn span<S: State, F: Format>(&self, row: Row<'_, S, F, Self::Varying>) {
+    fn span<S: State, F: Format>(&self, mut row: Row<'_, S, F, Self::Varying>) {
+        row.announce();
         row.each(|varying| self.fragment(varying));
     }
 

@@ -1,3 +1,5 @@
+use crate::frame::Damage;
+
 /// What became of the primitives and pixels of the draws that counted here.
 ///
 /// `triangles + lines + points = culled + degenerate + outside + skipped + drawn`, whatever was
@@ -45,7 +47,7 @@ pub enum Event {
     Clipped,
 }
 
-/// Whether a pass counts: [`Uncounted`] or [`Counting`].
+/// Whether a pass counts: [`Uncounted`] or [`Counting`]; or [`Tracking`] beside it.
 pub trait Counter {
     /// One primitive went this way.
     #[doc(hidden)]
@@ -53,6 +55,10 @@ pub trait Counter {
     /// So many pixels were written.
     #[doc(hidden)]
     fn pixels(&mut self, pixels: u32);
+    /// Columns `left..right` of row `y` are about to be drawn, unless they are hidden.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn row(&mut self, _y: i32, _left: i32, _right: i32) {}
 }
 
 /// Counts nothing, and is nothing.
@@ -90,5 +96,27 @@ impl Counter for Counting<'_> {
     #[inline]
     fn pixels(&mut self, pixels: u32) {
         self.0.pixels = self.0.pixels.saturating_add(pixels);
+    }
+}
+
+/// Adds what is drawn to the caller's [`Damage`], and counts as `C` does.
+#[derive(Debug)]
+pub struct Tracking<'a, C>(pub &'a mut Damage, pub C);
+
+impl<C: Counter> Counter for Tracking<'_, C> {
+    #[inline(always)]
+    fn event(&mut self, event: Event) {
+        self.1.event(event);
+    }
+
+    #[inline(always)]
+    fn pixels(&mut self, pixels: u32) {
+        self.1.pixels(pixels);
+    }
+
+    #[inline(always)]
+    fn row(&mut self, y: i32, left: i32, right: i32) {
+        self.0.add_row(y, left, right);
+        self.1.row(y, left, right);
     }
 }

@@ -8,10 +8,11 @@
 
 use microraster::host::reference::{self, TexelGrid};
 use microraster::texture::{
-    Add, Alpha8, AnyEnvironment, AnyFilter, AnySampler, AnyTexture, AnyWrap, Bilinear, Clamp,
-    ClampAny, Decal, Environment, Filter, FineBilinear, Footprint, Indexed4, Indexed8, Luminance8,
-    MipMap, MipSampler, Mirror, Modulate, Nearest, Reduce, Repeat, Replace, Rgba4444, Rgba5551,
-    Sample, Sampler, TexelFormat, Texture, TextureError, Wrap,
+    Add, Alpha8, AnyEnvironment, AnyFilter, AnySampler, AnyTexture, AnyWrap, Bgr888, Bgra8888,
+    BigEndian, Bilinear, Clamp, ClampAny, Decal, Environment, Filter, FineBilinear, Footprint,
+    Indexed4, Indexed8, LittleEndian, Luminance8, MipMap, MipSampler, Mirror, Modulate, Nearest,
+    Reduce, Repeat, Replace, Rgb888, Rgba4444, Rgba5551, Sample, Sampler, TexelFormat, Texture,
+    TextureError, Wrap,
 };
 use microraster::{Color, Format, Rgb565, Rgba8888, Uv};
 
@@ -186,6 +187,25 @@ subjects! {
         let [r, g, b, a, ..] = bits.to_le_bytes();
         Color::new(r, g, b).with_alpha(a)
     }, |words, i| real(words[i]);
+    LittleEndian, REPEATED, 0.125 + 0.5, &(), |bits| (bits as u16).to_le_bytes(),
+        |words, i| fields(u16::from_le_bytes(words[i]).into(), P565);
+    BigEndian<Rgba4444>, 0.0, 1.0, &(), |bits| (bits as u16).to_le_bytes(),
+        |words, i| fields(u16::from_be_bytes(words[i]).into(), [(12, 4), (8, 4), (4, 4), (0, 4)]);
+    Rgb888, 0.0, 1.0, &(), |bits| [bits as u8, (bits >> 8) as u8, (bits >> 16) as u8],
+        |words, i| {
+            let [r, g, b] = words[i].map(f64::from);
+            [r, g, b, 255.0]
+        };
+    Bgr888, 0.0, 1.0, &(), |bits| [bits as u8, (bits >> 8) as u8, (bits >> 16) as u8],
+        |words, i| {
+            let [b, g, r] = words[i].map(f64::from);
+            [r, g, b, 255.0]
+        };
+    Bgra8888, 0.0, 1.0, &(), |bits| (bits as u32).to_ne_bytes(),
+        |words, i| {
+            let [b, g, r, a] = words[i].map(f64::from);
+            [r, g, b, a]
+        };
     Indexed8<Rgb565>, REPEATED, 0.125 + 0.5, &palette565(), |bits| bits as u8,
         |words, i| fields(palette565::<256>()[usize::from(words[i])].into(), P565);
     Indexed8<Rgba8888>, 0.0, 1.0, &palette8888(), |bits| bits as u8,
@@ -324,6 +344,11 @@ macro_rules! formats_are_sampled {
 
 formats_are_sampled! {
     rgb565_is_sampled: Rgb565;
+    little_endian_is_sampled: LittleEndian;
+    big_endian_is_sampled: BigEndian<Rgba4444>;
+    rgb888_is_sampled: Rgb888;
+    bgr888_is_sampled: Bgr888;
+    bgra8888_is_sampled: Bgra8888;
     rgba8888_is_sampled: Rgba8888;
     rgba5551_is_sampled: Rgba5551;
     rgba4444_is_sampled: Rgba4444;

@@ -3,7 +3,7 @@
 //! | what | types |
 //! | --- | --- |
 //! | a picture | [`Texture`], [`MipMap`] with its smaller copies |
-//! | how a texel is stored | [`TexelFormat`]: [`Rgb565`](crate::Rgb565), [`Rgba8888`](crate::Rgba8888), [`Rgba5551`], [`Rgba4444`], [`Luminance8`], [`Alpha8`], [`Indexed8`], [`Indexed4`], and [`Color`](crate::Color) itself |
+//! | how a texel is stored | [`TexelFormat`]: [`Rgb565`](crate::Rgb565), [`Rgba8888`](crate::Rgba8888), [`Rgba5551`], [`Rgba4444`], [`Luminance8`], [`Alpha8`], [`Indexed8`], [`Indexed4`], and [`Color`](crate::Color) itself; as bytes of files at any address [`LittleEndian`] and [`BigEndian`] of 16 bits, [`Rgb888`], [`Bgr888`], [`Bgra8888`] |
 //! | what lies beyond the picture | [`Wrap`]: [`Repeat`], [`Mirror`], [`Clamp`], [`ClampAny`] |
 //! | what lies between texels | [`Filter`]: [`Nearest`], [`Bilinear`], [`FineBilinear`] |
 //! | how it meets the surface's colour | [`Environment`]: [`Modulate`], [`Replace`], [`Decal`], [`Add`] |
@@ -38,7 +38,10 @@ pub use environment::{Add, AnyEnvironment, Decal, Environment, Modulate, Replace
 pub use error::TextureError;
 pub use filter::{AnyFilter, Bilinear, Filter, FineBilinear, Nearest};
 pub use footprint::Footprint;
-pub use format::{Alpha8, Indexed4, Indexed8, Luminance8, Rgba4444, Rgba5551};
+pub use format::{
+    Alpha8, Bgr888, Bgra8888, BigEndian, Indexed4, Indexed8, LittleEndian, Luminance8, Rgb888,
+    Rgba4444, Rgba5551,
+};
 pub use mip_map::{MipMap, Reduce};
 pub use mip_sampler::MipSampler;
 pub use sample::Sample;

@@ -1,6 +1,7 @@
 //! How texels are stored, beside the formats that frames have too.
 
 mod alpha8;
+mod bytes;
 mod indexed4;
 mod indexed8;
 mod luminance8;
@@ -10,6 +11,7 @@ mod rgba5551;
 mod rgba8888;
 
 pub use alpha8::Alpha8;
+pub use bytes::{Bgr888, Bgra8888, BigEndian, LittleEndian, Rgb888};
 pub use indexed4::Indexed4;
 pub use indexed8::Indexed8;
 pub use luminance8::Luminance8;

@@ -49,6 +49,7 @@ use super::{Rect, Size};
 /// # Ok::<(), microraster::FrameError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Damage {
     before: Rect,
     now: Rect,

@@ -3,6 +3,7 @@ use core::fmt;
 /// Why buffers do not make a frame: what was needed and what came.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FrameError {
     /// A picture without pixels.
     Empty,

@@ -5,6 +5,7 @@ use super::Size;
 /// Coordinates are the picture's: y points down, row 0 is on top. A rectangle whose right is not
 /// beyond its left is empty.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rect {
     /// First column.
     pub left: i32,

@@ -1,5 +1,6 @@
 /// Width and height in pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Size {
     /// Pixels in a row.
     pub width: u16,

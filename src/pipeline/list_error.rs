@@ -6,6 +6,7 @@ use crate::frame::Size;
 /// mesh again is always possible.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ListError {
     /// More was to be recorded than it holds.
     Full {

@@ -3,6 +3,7 @@ use core::fmt;
 /// Why words do not make a texture, or a texture no sampler.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum TextureError {
     /// A width or height of 0.
     Empty,

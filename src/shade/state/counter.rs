@@ -6,6 +6,7 @@ use crate::frame::Damage;
 /// drawn.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stats {
     /// Triangles that came in.
     pub triangles: u32,

@@ -392,3 +392,61 @@ fn what_cannot_be_replayed_is_refused_and_draws_nothing() {
         assert_eq!(band.shared, error, "another picture");
     });
 }
+
+#[test]
+fn meshes_one_after_the_other_share_the_memory_of_a_list() {
+    const PICTURE: Size = Size::new(80, 60);
+    let camera = Camera::perspective(45.0.degrees(), 0.5).look_at(
+        Vec3::new(0.0, 2.0, 5.0),
+        Vec3::ZERO,
+        Vec3::Y,
+    );
+    let sun = Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::WHITE);
+    let models = [Mat4::rotation_y(30.0.degrees()), Mat4::rotation_x(80.0.degrees())];
+    let (smooth, flat) = (Gouraud::lit(&[sun]), Flat::lit(&[sun]));
+    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
+    let mut whole = vec![0; 80 * 60];
+    let mut codes = vec![0; 80 * 60];
+    let frame = Frame::<Rgb565>::new(&mut whole, PICTURE).expect("the buffer fits");
+    let mut frame = frame.with_depth(&mut codes).expect("the buffer fits");
+    pass.draw(&mut frame, &models[0], &TEAPOT, &smooth);
+    pass.draw(&mut frame, &models[1], &TEAPOT, &flat);
+
+    let mut record = |vertices: usize, triangles: usize| {
+        let mut vertices = vec![ListVertex::<Color>::default(); vertices];
+        let mut triangles = vec![ListTriangle::BLANK; triangles];
+        let (mut ring, mut other_ring) = ([0; 12], [0; 12]);
+        let mut cache = VertexCache::<u16, 512>::new();
+        let list = DisplayList::new(&mut vertices, &mut triangles, &mut ring);
+        let mut first = pass.record(list, PICTURE, &models[0], &TEAPOT, &smooth, &mut cache)?;
+        let rest = first.take_rest(&mut other_ring);
+        let mut second = pass.record(rest, PICTURE, &models[1], &TEAPOT, &flat, &mut cache)?;
+        let used = (first.vertices() + second.vertices(), first.triangles() + second.triangles());
+        let (mut pixels, mut depth) = ([0; 80 * 5], [0; 80 * 5]);
+        let bands = Bands::<Rgb565>::new(&mut pixels, PICTURE).expect("rows fit");
+        let mut bands = bands.with_depth(&mut depth).expect("rows fit");
+        let mut banded = Vec::new();
+        let drawn = bands.draw::<ListError>(
+            |frame| {
+                frame.clear(Rgb::BLACK);
+                pass.replay(frame, &mut first).expect("made for this picture");
+                pass.replay(frame, &mut second).expect("made for this picture");
+            },
+            |band| {
+                banded.extend_from_slice(band.pixels());
+                Ok(())
+            },
+        );
+        assert_eq!(drawn, Ok(()), "nothing fails");
+        assert!(banded == whole, "both meshes in bands");
+        // Nothing is left of what had no more than it needed, and that is no panic.
+        let nothing = second.take_rest(&mut []);
+        Ok::<_, ListError>((used, nothing.triangles()))
+    };
+    let ((vertices, triangles), _) = record(1200, 1200).expect("more than enough");
+    assert!(triangles > 500, "{triangles} triangles of both");
+    let exact = record(vertices as usize, triangles as usize);
+    assert_eq!(exact, Ok(((vertices, triangles), 0)), "no more than both need");
+    let short = record(vertices as usize, triangles as usize - 1);
+    assert!(matches!(short, Err(ListError::Full { .. })), "{short:?}");
+}

@@ -70,6 +70,23 @@ impl ListTriangle {
 /// Memory of the caller's for the triangles that a mesh puts on the screen, recorded once a picture
 /// by [`Pass::record`](super::Pass::record) and drawn from in each band.
 ///
+/// The memory is arrays, or whatever else lends slices: a `heapless::Vec` of its full length.
+///
+/// ```
+/// use heapless::Vec;
+/// use microraster::{Color, DisplayList, ListTriangle, ListVertex};
+///
+/// let mut vertices = Vec::<ListVertex<Color>, 600>::new();
+/// let mut triangles = Vec::<ListTriangle, 600>::new();
+/// vertices.resize_default(600)?;
+/// triangles.resize_default(600)?;
+/// // One number for each band.
+/// let mut bands = [0; 16];
+/// let list = DisplayList::new(&mut vertices, &mut triangles, &mut bands);
+/// assert_eq!(list.triangles(), 0);
+/// # Ok::<(), heapless::CapacityError>(())
+/// ```
+///
 /// # Range
 /// At most 65535 vertices and as many triangles; what is longer is not used.
 #[derive(Debug)]
@@ -118,6 +135,15 @@ impl Chain {
 fn numbered<T>(slice: &mut [T]) -> &mut [T] {
     let length = slice.len().min(NONE.into());
     slice.get_mut(..length).unwrap_or_default()
+}
+
+/// Takes what lies behind so many places.
+fn rest<'a, T>(slice: &mut &'a mut [T], used: u32) -> &'a mut [T] {
+    let all = core::mem::take(slice);
+    let used = (used as usize).min(all.len());
+    let (kept, rest) = all.split_at_mut_checked(used).unwrap_or_default();
+    *slice = kept;
+    rest
 }
 
 /// A recorded triangle, ready to be drawn.
@@ -172,6 +198,13 @@ impl<'a, C: Copy> DisplayList<'a, C> {
     /// Triangles that were recorded.
     pub fn triangles(&self) -> u32 {
         self.triangle_count
+    }
+
+    /// Parts with the memory that was not used, and makes a list of it.
+    pub(super) fn take_rest(&mut self, bands: &'a mut [u16]) -> Self {
+        let vertices = rest(&mut self.vertices, self.vertex_count);
+        let triangles = rest(&mut self.triangles, self.triangle_count);
+        Self::new(vertices, triangles, bands)
     }
 
     /// The rectangle in which all triangles lie.

@@ -36,7 +36,13 @@ impl<H: Shader> core::fmt::Debug for Recording<'_, H> {
     }
 }
 
-impl<H: Shader> Recording<'_, H> {
+impl<'a, H: Shader> Recording<'a, H> {
+    /// Takes what is left of the list's memory, for another mesh whose shader gives its corners the
+    /// same: in each band one is replayed after the other. `bands` is that mesh's own.
+    pub fn take_rest(&mut self, bands: &'a mut [u16]) -> DisplayList<'a, Corner<H::Varying>> {
+        self.list.take_rest(bands)
+    }
+
     /// Vertices in the list.
     pub fn vertices(&self) -> u32 {
         self.list.vertices()

@@ -450,3 +450,50 @@ fn meshes_one_after_the_other_share_the_memory_of_a_list() {
     let short = record(vertices as usize, triangles as usize - 1);
     assert!(matches!(short, Err(ListError::Full { .. })), "{short:?}");
 }
+
+#[test]
+fn a_list_that_is_given_back_serves_the_next_picture() {
+    let (mut vertices, mut triangles) =
+        ([ListVertex::default(); 700], [ListTriangle::default(); 700]);
+    let (mut numbers, mut cache) = ([0; 12], VertexCache::<u16, 1024>::new());
+    let mut list = DisplayList::new(&mut vertices, &mut triangles, &mut numbers);
+    let shader = Gouraud::lit(&[Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::WHITE)]);
+    let camera = Camera::perspective(45.0.degrees(), 0.5).look_at(
+        Vec3::new(0.0, 2.4, 5.4),
+        Vec3::ZERO,
+        Vec3::Y,
+    );
+    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
+    for (turn, width, height, rows, drawn) in [
+        (0.0, 64, 48, 8_u16, 6),
+        (25.0, 48, 64, 8, 3),
+        (50.0, 64, 48, 4, 12),
+        (75.0, 64, 48, 48, 1),
+    ] {
+        let (picture, model) = (Size::new(width, height), Mat4::rotation_y(turn.degrees()));
+        let recording = pass.record(list, picture, &model, &TEAPOT, &shader, &mut cache);
+        let mut recording = recording.expect("room for the teapot");
+        let band = usize::from(picture.width) * usize::from(rows);
+        let [mut pixels, mut codes, mut again, mut again_codes] = [(); 4].map(|()| vec![0; band]);
+        let bands = Bands::<Rgb565>::new(&mut pixels, picture);
+        let mut bands = bands.and_then(|bands| bands.with_depth(&mut codes)).expect("buffers");
+        let whole = Bands::<Rgb565>::new(&mut again, picture);
+        let mut whole =
+            whole.and_then(|bands| bands.with_depth(&mut again_codes)).expect("buffers");
+        // Some leave bands unseen, whose rings the next picture must not find.
+        for number in 0..drawn {
+            let replayed = bands.draw_band(number, |frame| {
+                frame.clear(Rgb::BLACK);
+                pass.replay(frame, &mut recording).expect("recorded for it");
+            });
+            let drawn = whole.draw_band(number, |frame| {
+                frame.clear(Rgb::BLACK);
+                pass.draw(frame, &model, &TEAPOT, &shader);
+            });
+            let (replayed, drawn) = (replayed.expect("a band"), drawn.expect("a band"));
+            assert!(replayed.pixels() == drawn.pixels(), "band {number} at {turn} degrees");
+        }
+        list = recording.into_list();
+    }
+    assert!(list.triangles() > 100, "{} triangles", list.triangles());
+}

@@ -61,6 +61,34 @@ impl<'a, H: Shader> Recording<'a, H> {
     pub fn bounds(&self) -> Rect {
         self.list.bounds().intersection(self.area)
     }
+
+    /// Gives the list back, for the next picture: what outlives a picture, such as a list in
+    /// `static` memory that cores share, cannot be borrowed anew for each. What
+    /// [`take_rest`](Self::take_rest) took of it stays with whom it went to.
+    ///
+    /// ```
+    /// use microraster::math::{AngleUnits, Mat4, Vec3};
+    /// use microraster::models::TEAPOT;
+    /// use microraster::{
+    ///     Camera, DisplayList, Flat, Light, ListTriangle, ListVertex, Pass, Rgb, Size, VertexCache,
+    /// };
+    ///
+    /// let (mut vertices, mut triangles) = ([ListVertex::default(); 1024], [ListTriangle::BLANK; 1024]);
+    /// let mut list = DisplayList::new(&mut vertices, &mut triangles, &mut []);
+    /// let camera = Camera::perspective(45.0.degrees(), 0.5);
+    /// let shader = Flat::lit(&[Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::WHITE)]);
+    /// let (mut pass, mut cache) = (Pass::new(&camera), VertexCache::<u16, 64>::new());
+    /// for distance in 4..6 {
+    ///     let (model, size) = (Mat4::translation(Vec3::new(0.0, 0.0, -distance as f32)), Size::new(64, 48));
+    ///     let recording = pass.record(list, size, &model, &TEAPOT, &shader, &mut cache)?;
+    ///     // Here is the place to replay it, in each band.
+    ///     list = recording.into_list();
+    /// }
+    /// # Ok::<(), microraster::ListError>(())
+    /// ```
+    pub fn into_list(self) -> DisplayList<'a, Corner<H::Varying>> {
+        self.list
+    }
 }
 
 /// Draws recorded triangles into a band.

@@ -13,8 +13,10 @@ extern "C" {
     /// End of what the linker placed in RAM; the stack grows down towards it.
     #[cfg_attr(target_arch = "arm", link_name = "__euninit")]
     #[cfg_attr(target_arch = "riscv32", link_name = "__ebss")]
+    #[cfg_attr(target_arch = "wasm32", link_name = "__stack_low")]
     static mut BOTTOM: u32;
     /// The top of the stack.
+    #[cfg_attr(target_arch = "wasm32", link_name = "__stack_high")]
     static mut _stack_start: u32;
 }
 

@@ -49,6 +49,13 @@ pub(crate) fn paint() -> Mark {
     Mark(mark)
 }
 
+/// Deepest use in bytes of all the stack since it was painted; about 16 KB means that or more.
+#[inline(never)]
+#[allow(dead_code, reason = "for who counts all of the RAM")]
+pub(crate) fn deepest_of_all() -> usize {
+    deepest(Mark(addr_of_mut!(_stack_start) as usize))
+}
+
 /// Deepest use in bytes below `mark`, since `paint` gave it; about 16 KB means that or more.
 #[inline(never)]
 #[allow(unsafe_code, reason = "memory under the stack pointer has no other access")]

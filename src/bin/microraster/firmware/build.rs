@@ -60,6 +60,9 @@ const FOREIGN: [&str; 8] = [
     "RUSTC_WORKSPACE_WRAPPER",
 ];
 
+/// The mesh that firmware reads, or that is linked into it.
+pub(crate) const MESH_FILE: &str = "bunny.mesh";
+
 /// Names the feature to the examples that are built for one at a time.
 const FEATURE: &str = "MICRORASTER_FEATURE";
 
@@ -110,7 +113,7 @@ impl House {
         feature: &str,
         board: &Board,
     ) -> Result<PathBuf, String> {
-        self.linked(name, feature, board, &[])
+        self.example_with(name, feature, board, &[])
     }
 
     /// The same with what the linker knew of who refers to whom, for [`super::elf::references`].
@@ -123,11 +126,15 @@ impl House {
         feature: &str,
         board: &Board,
     ) -> Result<PathBuf, String> {
-        self.linked(name, feature, board, &["-C", "link-arg=--emit-relocs"])
+        self.example_with(name, feature, board, &["-C", "link-arg=--emit-relocs"])
     }
 
-    /// Builds an example with more `options` for the compiler.
-    fn linked(
+    /// Builds an example with more `options` for the compiler, which may name the mesh file of
+    /// [`firmware`](Self::firmware) by the environment's `MICRORASTER_MESH`.
+    ///
+    /// # Errors
+    /// No compiler for the target, or the build failed.
+    pub(crate) fn example_with(
         &self,
         name: &str,
         feature: &str,
@@ -210,6 +217,8 @@ impl House {
             "" => command.env_remove(FEATURE),
             _ => command.env(FEATURE, feature),
         };
+        let mesh = std::path::absolute(self.firmware()?.join(MESH_FILE));
+        command.env("MICRORASTER_MESH", mesh.map_err(|why| why.to_string())?);
         if let Toolchain::Debian { linker } = &toolchain {
             // The compiler is a release; building core needs its unstable half.
             command

@@ -25,6 +25,7 @@ mod record;
 #[path = "../../../../examples/scenes/mod.rs"]
 pub(crate) mod scenes;
 pub(crate) mod sizes;
+mod small_ram;
 
 use board::Board;
 use build::House;
@@ -116,6 +117,11 @@ pub(crate) struct Arguments {
     /// Look for a way to panic in firmware that draws with everything, instead.
     #[arg(long, conflicts_with_all = ["scenes", "sizes", "library", "profile", "figures", "asm"])]
     no_panic: bool,
+    /// Draw a turning model in 16, 32 and 64 KB of RAM for everything, each linked with a memory map
+    /// of that, and compare every frame; with --figures, put the table into a Markdown file.
+    #[arg(long, conflicts_with_all = ["boards", "scenes", "frames", "matrix", "gate", "asm",
+        "profile", "sizes", "example", "ladder", "no_panic", "library"])]
+    small_ram: bool,
     /// Build the bare library, without alloc, for Armv6-M, Armv7E-M, RISC-V and wasm instead.
     #[arg(long, conflicts_with_all = ["scenes", "boards"])]
     library: bool,
@@ -168,6 +174,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         return boards.iter().try_for_each(|board| lines_of(&house, board, example));
     }
 
+    if arguments.small_ram {
+        let words = mesh(&house, &mut Vec::new())?;
+        let bunny = words.as_deref().and_then(view);
+        return small_ram::show(&house, bunny, arguments.figures.as_deref());
+    }
     let names = match arguments.profile.as_ref().or(arguments.asm.as_ref()) {
         Some(scene) => vec![scene.clone()],
         None if arguments.performance => vec!["standard".to_owned()],
@@ -237,7 +248,7 @@ fn view(words: &[u32]) -> Option<Model<'_>> {
 /// Writes the bunny's mesh file for the firmware and gives its words. Where there is no bunny,
 /// the scenes that need it are taken out, loudly.
 fn mesh(house: &House, scenes: &mut Vec<Scene<Counter>>) -> Result<Option<Vec<u32>>, String> {
-    let file = house.firmware()?.join(scenes::model::FILE);
+    let file = house.firmware()?.join(build::MESH_FILE);
     let why = match bunny::find(&house.package) {
         Ok(model) => {
             let words = bunny::convert(&model)?;

@@ -7,6 +7,7 @@ pub(crate) mod build;
 mod bunny;
 mod callgrind;
 mod cycles;
+mod dma;
 pub(crate) mod elf;
 pub(crate) mod emulate;
 mod facts;
@@ -122,6 +123,11 @@ pub(crate) struct Arguments {
     #[arg(long, conflicts_with_all = ["boards", "scenes", "frames", "matrix", "gate", "asm",
         "profile", "sizes", "example", "ladder", "no_panic", "library"])]
     small_ram: bool,
+    /// Draw each band while a simulated DMA sends the one before, and say what that gains over
+    /// waiting; with --figures, put the table into a Markdown file.
+    #[arg(long, conflicts_with_all = ["scenes", "frames", "matrix", "gate", "asm", "profile",
+        "sizes", "example", "ladder", "no_panic", "library", "small_ram"])]
+    dma: bool,
     /// Build the bare library, without alloc, for Armv6-M, Armv7E-M, RISC-V and wasm instead.
     #[arg(long, conflicts_with_all = ["scenes", "boards"])]
     library: bool,
@@ -174,6 +180,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         return boards.iter().try_for_each(|board| lines_of(&house, board, example));
     }
 
+    if arguments.dma {
+        return dma::show(&house, &boards, arguments.figures.as_deref());
+    }
     if arguments.small_ram {
         let words = mesh(&house, &mut Vec::new())?;
         let bunny = words.as_deref().and_then(view);

@@ -1,7 +1,7 @@
 //! `--small-ram`: displays that are drawn on in so little RAM, each frame compared with the host's.
 
 #[path = "../../../../examples/small_ram/display.rs"]
-mod display;
+pub(super) mod display;
 
 use super::board::{self, Board};
 use super::build::House;
@@ -58,7 +58,7 @@ pub(crate) fn show(
 }
 
 /// Hashes of all frames as the host draws them, each at once.
-fn frames(display: &Display, mesh: display::Model<'_>) -> Result<Vec<u64>, String> {
+pub(super) fn frames(display: &Display, mesh: display::Model<'_>) -> Result<Vec<u64>, String> {
     let size = display.size;
     let room = usize::from(size.width) * usize::from(size.height);
     let (mut pixels, mut depth) = (vec![0; room], vec![0; room]);

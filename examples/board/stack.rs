@@ -13,8 +13,10 @@ extern "C" {
     /// End of what the linker placed in RAM; the stack grows down towards it.
     #[cfg_attr(target_arch = "arm", link_name = "__euninit")]
     #[cfg_attr(target_arch = "riscv32", link_name = "__ebss")]
+    #[cfg_attr(target_arch = "wasm32", link_name = "__stack_low")]
     static mut BOTTOM: u32;
     /// The top of the stack.
+    #[cfg_attr(target_arch = "wasm32", link_name = "__stack_high")]
     static mut _stack_start: u32;
 }
 
@@ -45,6 +47,13 @@ pub(crate) fn paint() -> Mark {
         }
     }
     Mark(mark)
+}
+
+/// Deepest use in bytes of all the stack since it was painted; about 16 KB means that or more.
+#[inline(never)]
+#[allow(dead_code, reason = "for who counts all of the RAM")]
+pub(crate) fn deepest_of_all() -> usize {
+    deepest(Mark(addr_of_mut!(_stack_start) as usize))
 }
 
 /// Deepest use in bytes below `mark`, since `paint` gave it; about 16 KB means that or more.

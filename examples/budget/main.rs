@@ -17,7 +17,6 @@ mod board;
 mod feature;
 #[cfg(target_os = "none")]
 #[path = "../scenes/model.rs"]
-#[allow(dead_code, reason = "the file's name is the bunny's")]
 mod model;
 
 #[cfg(not(target_os = "none"))]

@@ -103,7 +103,12 @@ pub(crate) fn standard<P: Probe>() -> impl Iterator<Item = Scene<P>> {
         .chain(vertices::scenes())
 }
 
+/// The golden pictures and the gallery.
+pub(crate) fn pictures<P: Probe>() -> impl Iterator<Item = Scene<P>> {
+    golden::scenes().chain(gallery::scenes())
+}
+
 /// All scenes.
 pub(crate) fn scenes<P: Probe>() -> impl Iterator<Item = Scene<P>> {
-    standard().chain(golden::scenes()).chain(gallery::scenes()).chain(bands::scenes())
+    standard().chain(pictures()).chain(bands::scenes())
 }

@@ -15,8 +15,6 @@
 //! | 32 + 6 V | N x `u16`: indices |
 //! | 32 + 6 V + 2 N | V x 3 x `i8`: normals, length 127 |
 
-/// The name of the file, in the emulator's working directory.
-pub(crate) const FILE: &str = "bunny.mesh";
 /// The first bytes of the file; the last one is the version of the format.
 pub(crate) const MAGIC: [u8; 8] = *b"MRMESH\r\x01";
 /// Bytes before the positions.

@@ -1,7 +1,7 @@
 //! The same on a board: builds the firmware of `board/` and reads what it prints.
 
 use crate::board;
-use crate::build::House;
+use crate::build::{House, Profile};
 use crate::emulate;
 
 /// What a renderer took for a scene.
@@ -24,7 +24,12 @@ pub(crate) fn counts() -> Result<Vec<Count>, String> {
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), Into::into);
     // Others allocate.
     let libraries = "core,alloc";
-    let house = House { package: here.join("board"), target: target.join("peers"), libraries };
+    let house = House {
+        package: here.join("board"),
+        target: target.join("peers"),
+        libraries,
+        profile: Profile::Release,
+    };
     let board = board::find("m4")?;
     // The large memory of the board, and where its map lies.
     let map = format!("link-arg=-L{}", root.display());

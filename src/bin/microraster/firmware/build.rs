@@ -1,7 +1,7 @@
 //! Builds for a bare target: with rustup's core library where the target is installed, else with
 //! a core library that Debian's compiler builds from its own source.
 
-use super::board::Board;
+use super::board::{Board, Emulator};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -14,6 +14,27 @@ pub(crate) struct House {
     pub(crate) target: PathBuf,
     /// What of the standard library is built where the target's is not installed.
     pub(crate) libraries: &'static str,
+    /// How firmware is built.
+    pub(crate) profile: Profile,
+}
+
+/// How firmware is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Profile {
+    /// As it is measured.
+    Release,
+    /// Sooner, for its pictures alone: nothing of it is measured.
+    Pictures,
+}
+
+impl Profile {
+    /// As cargo names it, and the folder of what it builds.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Release => "release",
+            Self::Pictures => "pictures",
+        }
+    }
 }
 
 /// Where Debian keeps its compiler; rustup's may come first on the path.
@@ -21,6 +42,11 @@ const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
 const DEBIAN_CARGO: &str = "/usr/bin/cargo";
 /// Names of the linker, the newest that the recipe was proven with first.
 const LINKERS: [&str; 2] = ["ld.lld-22", "ld.lld"];
+/// The same for WebAssembly.
+const WASM_LINKERS: [&str; 2] = ["wasm-ld-22", "wasm-ld"];
+/// A counter that stands still, for boards that have theirs in different places: one firmware then
+/// serves all.
+const NO_COUNTER: &[&str] = &["__counter=__sbss", "__counter_ps=0"];
 /// What of the caller's environment would change a nested build. RUSTFLAGS, for one, replaces the
 /// link arguments of `.cargo/config.toml`, and the firmware would come out empty.
 const FOREIGN: [&str; 8] = [
@@ -33,6 +59,9 @@ const FOREIGN: [&str; 8] = [
     "RUSTC_WRAPPER",
     "RUSTC_WORKSPACE_WRAPPER",
 ];
+
+/// The mesh that firmware reads, or that is linked into it.
+pub(crate) const MESH_FILE: &str = "bunny.mesh";
 
 /// Names the feature to the examples that are built for one at a time.
 const FEATURE: &str = "MICRORASTER_FEATURE";
@@ -52,7 +81,7 @@ impl House {
         }
         let target = std::env::var_os("CARGO_TARGET_DIR")
             .map_or_else(|| package.join("target"), |folder| package.join(PathBuf::from(folder)));
-        Ok(Self { package, target, libraries: "core" })
+        Ok(Self { package, target, libraries: "core", profile: Profile::Release })
     }
 
     /// The folder for finished firmware and what it reads, made when missing.
@@ -84,7 +113,7 @@ impl House {
         feature: &str,
         board: &Board,
     ) -> Result<PathBuf, String> {
-        self.linked(name, feature, board, &[])
+        self.example_with(name, feature, board, &[])
     }
 
     /// The same with what the linker knew of who refers to whom, for [`super::elf::references`].
@@ -97,11 +126,15 @@ impl House {
         feature: &str,
         board: &Board,
     ) -> Result<PathBuf, String> {
-        self.linked(name, feature, board, &["-C", "link-arg=--emit-relocs"])
+        self.example_with(name, feature, board, &["-C", "link-arg=--emit-relocs"])
     }
 
-    /// Builds an example with more `options` for the compiler.
-    fn linked(
+    /// Builds an example with more `options` for the compiler, which may name the mesh file of
+    /// [`firmware`](Self::firmware) by the environment's `MICRORASTER_MESH`.
+    ///
+    /// # Errors
+    /// No compiler for the target, or the build failed.
+    pub(crate) fn example_with(
         &self,
         name: &str,
         feature: &str,
@@ -111,15 +144,27 @@ impl House {
         let mut arguments = vec!["--example", name];
         arguments.push("--");
         arguments.extend(options);
-        let symbols: Vec<_> =
-            board.symbols.iter().map(|symbol| format!("link-arg=--defsym=__{symbol}")).collect();
+        let counter = match self.profile {
+            Profile::Pictures if !board.counter.is_empty() => NO_COUNTER,
+            _ => board.counter,
+        };
+        let symbols = board.symbols.iter().chain(counter);
+        let symbols: Vec<_> = symbols.map(|symbol| format!("link-arg=--defsym={symbol}")).collect();
         for symbol in &symbols {
             arguments.extend(["-C", symbol]);
         }
-        let built = self.cargo(board.target, feature, &arguments)?.join("examples").join(name);
+        let file = match board.emulator() {
+            Emulator::Node => format!("{name}.wasm"),
+            Emulator::Qemu(..) => name.to_owned(),
+        };
+        let built = self.cargo(board.target, feature, &arguments)?.join("examples").join(file);
         let variant = if feature.is_empty() { "" } else { "-" };
         let variant = format!("{variant}{}", feature.replace(' ', "-"));
-        let kept = self.firmware()?.join(format!("{name}{variant}-{}.elf", board.name));
+        let profile = match self.profile {
+            Profile::Release => "",
+            Profile::Pictures => "-pictures",
+        };
+        let kept = self.firmware()?.join(format!("{name}{variant}-{}{profile}.elf", board.name));
         std::fs::copy(&built, &kept)
             .map_err(|why| format!("cannot copy {}: {why}", built.display()))?;
         Ok(kept)
@@ -149,7 +194,7 @@ impl House {
         Ok(self.cargo(board.target, "", &arguments)?.join(name))
     }
 
-    /// Runs `cargo rustc --release` with `arguments`, which contain a `--`; returns the folder
+    /// Runs `cargo rustc` with `arguments`, which contain a `--`; returns the folder
     /// that the result lies in.
     fn cargo(&self, target: &str, feature: &str, arguments: &[&str]) -> Result<PathBuf, String> {
         let toolchain = Toolchain::find(target)?;
@@ -157,20 +202,23 @@ impl House {
         let mut command = match &toolchain {
             Toolchain::Rustup => Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into())),
             Toolchain::Debian { .. } => {
-                // A folder for each target: cargo locks it, and boards are built side by side.
-                folder = folder.join("debian").join(target);
+                // One for all targets: what runs while building is built once.
+                folder = folder.join("debian");
                 Command::new(DEBIAN_CARGO)
             }
         };
         for name in FOREIGN {
             command.env_remove(name);
         }
-        command.args(["rustc", "--locked", "--release", "--quiet", "--target", target]);
+        let profile = self.profile.name();
+        command.args(["rustc", "--locked", "--quiet", "--profile", profile, "--target", target]);
         command.args(arguments);
         match feature {
             "" => command.env_remove(FEATURE),
             _ => command.env(FEATURE, feature),
         };
+        let mesh = std::path::absolute(self.firmware()?.join(MESH_FILE));
+        command.env("MICRORASTER_MESH", mesh.map_err(|why| why.to_string())?);
         if let Toolchain::Debian { linker } = &toolchain {
             // The compiler is a release; building core needs its unstable half.
             command
@@ -187,7 +235,7 @@ impl House {
             .status()
             .map_err(|why| format!("cannot start cargo: {why}"))?;
         if status.success() {
-            Ok(folder.join(target).join("release"))
+            Ok(folder.join(target).join(profile))
         } else {
             Err(format!("the build for {target} failed; cargo says why above"))
         }
@@ -229,7 +277,8 @@ impl Toolchain {
         }
         let debian = text_of(DEBIAN_RUSTC, &["--print", "sysroot"]).unwrap_or_default();
         let source = "lib/rustlib/src/rust/library/core";
-        let linker = LINKERS.into_iter().find(|name| text_of(name, &["--version"]).is_some());
+        let linkers = if target.starts_with("wasm32") { WASM_LINKERS } else { LINKERS };
+        let linker = linkers.into_iter().find(|name| text_of(name, &["--version"]).is_some());
         match linker {
             Some(linker) if Path::new(DEBIAN_CARGO).exists() && has(&debian, source) => {
                 Ok(Self::Debian { linker })

@@ -35,6 +35,9 @@ pub(crate) struct Elf {
     pub(crate) names: Vec<String>,
 }
 
+/// Parts of the names of what only a heap needs.
+pub(crate) const ALLOCATORS: [&str; 2] = ["__rust_alloc", "__rdl_alloc"];
+
 // Numbers of the ELF specification.
 const SYMBOL_TABLE: u32 = 2;
 const NO_BITS: u32 = 8;
@@ -132,7 +135,7 @@ impl Elf {
 
     /// A symbol that only a heap needs, if one is linked.
     pub(crate) fn allocator(&self) -> Option<&str> {
-        let heap = |name: &&String| name.contains("__rust_alloc") || name.contains("__rdl_alloc");
+        let heap = |name: &&String| ALLOCATORS.iter().any(|part| name.contains(part));
         self.names.iter().find(heap).map(String::as_str)
     }
 }

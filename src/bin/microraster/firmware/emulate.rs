@@ -1,6 +1,7 @@
-//! Runs firmware under QEMU and gives what it printed.
+//! Runs firmware under QEMU, or WebAssembly in node, and gives what it printed.
 
-use super::board::Board;
+use super::board::{Board, Emulator};
+use super::build::House;
 use std::io::Read;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -8,6 +9,9 @@ use std::time::{Duration, Instant};
 
 /// How long one run may take. A wrong memory map hangs rather than fails.
 const PATIENCE: Duration = Duration::from_secs(240);
+
+/// What serves WebAssembly, in the package's folder.
+const NODE_SCRIPT: &str = "examples/board/node.mjs";
 
 /// Runs `elf` on `board` with these words, in the folder where it finds its files, and returns
 /// the lines that it printed. `plugin` is an argument for QEMU's `-plugin`.
@@ -21,14 +25,24 @@ pub(crate) fn run(
     words: &[String],
     plugin: Option<&str>,
 ) -> Result<String, String> {
-    let (program, before) = board.emulator();
+    // Absolute, because the emulator runs elsewhere.
+    let absolute =
+        |path: &Path| std::path::absolute(path).map_err(|why| format!("{}: {why}", path.display()));
+    let elf = absolute(elf)?;
+    let (program, before) = match board.emulator() {
+        Emulator::Qemu(program, before) => (program, before),
+        Emulator::Node => {
+            let script = absolute(&House::find()?.package.join(NODE_SCRIPT))?;
+            let mut command = Command::new("node");
+            command.arg(script).arg(elf).args(words);
+            return watch(board, command, folder, "nodejs");
+        }
+    };
     let mut semihosting = String::from("enable=on,target=native,arg=firmware");
     for word in words {
         semihosting.push_str(",arg=");
         semihosting.push_str(word);
     }
-    // Absolute, because the emulator runs elsewhere.
-    let elf = std::path::absolute(elf).map_err(|why| format!("{}: {why}", elf.display()))?;
     let mut command = Command::new(program);
     command
         .args(before)
@@ -37,15 +51,28 @@ pub(crate) fn run(
         .args(["-icount", "shift=7", "-semihosting-config", &semihosting])
         .args(plugin.map(|plugin| ["-plugin", plugin]).into_iter().flatten())
         .arg("-kernel")
-        .arg(elf)
+        .arg(elf);
+    watch(board, command, folder, "qemu-system-arm qemu-system-misc")
+}
+
+/// Runs a command in a folder and gives what it printed; `packages` are Debian's that have it.
+fn watch(
+    board: &Board,
+    mut command: Command,
+    folder: &Path,
+    packages: &str,
+) -> Result<String, String> {
+    let program = command.get_program().to_string_lossy().into_owned();
+    command
         .current_dir(folder)
         .env_remove("LD_LIBRARY_PATH")
         .stdin(Stdio::null())
         .stdout(Stdio::piped());
     let mut child = command.spawn().map_err(|why| {
         format!(
-            "cannot start {program}: {why}; on Debian, `apt-get install qemu-system-arm \
-             qemu-system-misc` installs it"
+            "board {}: cannot start {program}: {why}; on Debian, `apt-get install {packages}` \
+             installs it",
+            board.name
         )
     })?;
     // A full pipe would stop the emulator, so somebody must read while the clock is watched.

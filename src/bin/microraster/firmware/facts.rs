@@ -1,6 +1,6 @@
 //! Draws the scenes on the host, compares them with what a board drew, and prints the facts.
 
-use super::lines::Drawn;
+use super::lines::{Drawn, Report};
 use super::scenes::{hash, scenes, ListRoom, Model, Probe, Scene, Stage, ROOM};
 use std::fmt;
 
@@ -106,6 +106,17 @@ pub(crate) struct Line {
 }
 
 impl Line {
+    /// Compares what a board's report says of a scene.
+    pub(crate) fn of(
+        board: &'static str,
+        scene: &str,
+        report: &Report,
+        expected: &[Frame],
+    ) -> Self {
+        let own = report.frames.iter().filter(|frame| frame.scene == scene);
+        Self::compare(board, scene, &own.cloned().collect::<Vec<_>>(), expected)
+    }
+
     /// Compares a scene's frames; sums are over all frames.
     pub(crate) fn compare(
         board: &'static str,

@@ -7,6 +7,7 @@ pub(crate) mod build;
 mod bunny;
 mod callgrind;
 mod cycles;
+mod dma;
 pub(crate) mod elf;
 pub(crate) mod emulate;
 mod facts;
@@ -15,6 +16,7 @@ mod ladder;
 pub(crate) mod lines;
 mod loops;
 mod marks;
+mod matrix;
 pub(crate) mod mesh_file;
 mod no_panic;
 mod per;
@@ -24,6 +26,7 @@ mod record;
 #[path = "../../../../examples/scenes/mod.rs"]
 pub(crate) mod scenes;
 pub(crate) mod sizes;
+mod small_ram;
 
 use board::Board;
 use build::House;
@@ -33,7 +36,7 @@ use figures::Figures;
 use per::Per;
 use record::Record;
 use scenes::{Model, Scene};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Targets for which the bare library is built by `--library`.
 const LIBRARY_TARGETS: [&str; 4] = [
@@ -56,12 +59,18 @@ it are skipped, or fail when MICRORASTER_REQUIRE_SHARED is set.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = HELP)]
 pub(crate) struct Arguments {
-    /// Boards, of m0, m3, m4, m7, m33, m55 and rv32.
-    #[arg(long, value_delimiter = ',', default_value = "m4,m0", value_name = "BOARD")]
+    /// Boards, of m0, m3, m4, m7, m33, m55, rv32 and wasm32; m4 and m0 by default.
+    #[arg(long, value_delimiter = ',', value_name = "BOARD")]
     boards: Vec<String>,
-    /// Scenes by name, or the lists `bands`, `gallery`, `golden`, `standard` and `all`.
-    #[arg(long, value_delimiter = ',', default_value = "all", value_name = "SCENE")]
+    /// Scenes by name, or the lists `bands`, `gallery`, `golden`, `standard` and `all`, which is the
+    /// default.
+    #[arg(long, value_delimiter = ',', value_name = "SCENE")]
     scenes: Vec<String>,
+    /// Compare the golden and gallery scenes on all boards, or on --boards, and print a table. The
+    /// firmware is built sooner than what is measured, with other optimisations.
+    #[arg(long, conflicts_with_all = ["figures", "performance", "gate", "asm", "profile", "sizes",
+        "example", "ladder", "no_panic", "library"])]
+    matrix: bool,
     /// Draw only the first frames of each scene.
     #[arg(long, value_name = "N")]
     frames: Option<u32>,
@@ -109,6 +118,16 @@ pub(crate) struct Arguments {
     /// Look for a way to panic in firmware that draws with everything, instead.
     #[arg(long, conflicts_with_all = ["scenes", "sizes", "library", "profile", "figures", "asm"])]
     no_panic: bool,
+    /// Draw a turning model in 16, 32 and 64 KB of RAM for everything, each linked with a memory map
+    /// of that, and compare every frame; with --figures, put the table into a Markdown file.
+    #[arg(long, conflicts_with_all = ["boards", "scenes", "frames", "matrix", "gate", "asm",
+        "profile", "sizes", "example", "ladder", "no_panic", "library"])]
+    small_ram: bool,
+    /// Draw each band while a simulated DMA sends the one before, and say what that gains over
+    /// waiting; with --figures, put the table into a Markdown file.
+    #[arg(long, conflicts_with_all = ["scenes", "frames", "matrix", "gate", "asm", "profile",
+        "sizes", "example", "ladder", "no_panic", "library", "small_ram"])]
+    dma: bool,
     /// Build the bare library, without alloc, for Armv6-M, Armv7E-M, RISC-V and wasm instead.
     #[arg(long, conflicts_with_all = ["scenes", "boards"])]
     library: bool,
@@ -124,8 +143,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         let words = bunny::find(&house.package).and_then(|file| bunny::convert(&file)).ok();
         return callgrind::draw(scene, words.as_deref().and_then(view));
     }
-    let names =
-        if arguments.performance { performance::boards() } else { arguments.boards.clone() };
+    let names = match arguments.boards.as_slice() {
+        [] if arguments.performance => performance::boards(),
+        [] if arguments.matrix => board::BOARDS.iter().map(|board| board.name.to_owned()).collect(),
+        [] => ["m4", "m0"].map(str::to_owned).to_vec(),
+        boards => boards.to_vec(),
+    };
     let boards: Vec<_> = names.iter().map(|name| board::find(name)).collect::<Result<_, _>>()?;
     if arguments.library {
         return LIBRARY_TARGETS.iter().try_for_each(|target| {
@@ -157,12 +180,22 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         return boards.iter().try_for_each(|board| lines_of(&house, board, example));
     }
 
+    if arguments.dma {
+        return dma::show(&house, &boards, arguments.figures.as_deref());
+    }
+    if arguments.small_ram {
+        let words = mesh(&house, &mut Vec::new())?;
+        let bunny = words.as_deref().and_then(view);
+        return small_ram::show(&house, bunny, arguments.figures.as_deref());
+    }
     let names = match arguments.profile.as_ref().or(arguments.asm.as_ref()) {
-        Some(scene) => std::slice::from_ref(scene),
-        None if arguments.performance => &["standard".to_owned()],
-        None => arguments.scenes.as_slice(),
+        Some(scene) => vec![scene.clone()],
+        None if arguments.performance => vec!["standard".to_owned()],
+        None if !arguments.scenes.is_empty() => arguments.scenes.clone(),
+        None if arguments.matrix => ["golden", "gallery"].map(str::to_owned).to_vec(),
+        None => vec!["all".to_owned()],
     };
-    let mut scenes = facts::asked(names)?;
+    let mut scenes = facts::asked(&names)?;
     let asked = scenes.len();
     let mesh = mesh(&house, &mut scenes)?;
     if arguments.performance && scenes.len() < asked {
@@ -182,6 +215,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     }
 
     let expected: Vec<_> = scenes.iter().map(|scene| facts::draw(scene, bunny, limit)).collect();
+    if arguments.matrix {
+        return matrix::compare(house, &boards, &scenes, &expected, &words);
+    }
     let (mut all, mut record) = (Vec::new(), Record::default());
     let mut figures = Figures::default();
     for board in &boards {
@@ -202,7 +238,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     }
     match all.iter().filter(|line| line.differs.is_some()).count() {
         0 => {}
-        wrong => return Err(format!("{wrong} scenes differ between a board and the host")),
+        wrong => return Err(matrix::different(wrong)),
     }
     if let Some(file) = &arguments.figures {
         figures.write(file, "")?;
@@ -221,7 +257,7 @@ fn view(words: &[u32]) -> Option<Model<'_>> {
 /// Writes the bunny's mesh file for the firmware and gives its words. Where there is no bunny,
 /// the scenes that need it are taken out, loudly.
 fn mesh(house: &House, scenes: &mut Vec<Scene<Counter>>) -> Result<Option<Vec<u32>>, String> {
-    let file = house.firmware()?.join(scenes::model::FILE);
+    let file = house.firmware()?.join(build::MESH_FILE);
     let why = match bunny::find(&house.package) {
         Ok(model) => {
             let words = bunny::convert(&model)?;
@@ -258,6 +294,21 @@ fn lines_of(house: &House, board: &Board, example: &str) -> Result<(), String> {
     Ok(())
 }
 
+/// Reads firmware, which must not link a heap; `None` for WebAssembly, which says nothing of flash
+/// and RAM.
+fn checked(board: &Board, file: &Path) -> Result<Option<Elf>, String> {
+    let bytes = std::fs::read(file).map_err(|why| format!("{}: {why}", file.display()))?;
+    let heap = |name: &str| format!("the firmware of {} links a heap: {name}", board.name);
+    if board.emulator() == board::Emulator::Node {
+        let has = |name: &str| bytes.windows(name.len()).any(|part| part == name.as_bytes());
+        let found = elf::ALLOCATORS.into_iter().find(|name| has(name));
+        return found.map_or(Ok(None), |name| Err(heap(name)));
+    }
+    let elf = Elf::read(&bytes).map_err(|why| format!("{}: {why}", file.display()))?;
+    elf.allocator().map_or(Ok(()), |name| Err(heap(name)))?;
+    Ok(Some(elf))
+}
+
 /// Runs the scenes on a board and prints its lines.
 fn compare(
     house: &House,
@@ -268,25 +319,23 @@ fn compare(
     verbose: bool,
 ) -> Result<Vec<Line>, String> {
     let file = house.example("firmware", board)?;
-    let bytes = std::fs::read(&file).map_err(|why| format!("{}: {why}", file.display()))?;
-    let elf = Elf::read(&bytes).map_err(|why| format!("{}: {why}", file.display()))?;
-    if let Some(name) = elf.allocator() {
-        return Err(format!("the firmware of {} links a heap: {name}", board.name));
-    }
+    let elf = checked(board, &file)?;
     let printed = emulate::run(board, &file, &house.firmware()?, words, None)?;
     let report = lines::Report::read(&printed)?;
 
     let mut lines = Vec::new();
     for (scene, expected) in scenes.iter().zip(expected) {
-        let own = report.frames.iter().filter(|frame| frame.scene == scene.name);
-        let drawn: Vec<_> = own.cloned().collect();
-        let line = Line::compare(board.name, scene.name, &drawn, expected);
+        let line = Line::of(board.name, scene.name, &report, expected);
         println!("{line}");
         if let Some(how) = &line.differs {
             eprintln!("board={} scene={} {how}", board.name, scene.name);
         }
         lines.push(line);
     }
+    let Some(elf) = elf else {
+        println!("board={} stack={}", board.name, report.stack);
+        return Ok(lines);
+    };
     println!("board={} flash={} ram={} stack={}", board.name, elf.flash(), elf.ram(), report.stack);
     if verbose {
         for section in elf.sections.iter().filter(|section| section.size > 0) {

@@ -36,8 +36,8 @@ fn is_panic(symbol: &str) -> bool {
     !name.starts_with("microraster::") && PARTS.iter().any(|part| named.contains(part))
 }
 
-/// Links the firmware for each board, side by side, and fails where it can panic. Of boards with
-/// one target, which run the same code, the first is enough.
+/// Links the firmware for each board and fails where it can panic. Of boards with one target, which
+/// run the same code, the first is enough.
 ///
 /// # Errors
 /// A build failed, or something may panic: what, and who refers to it.
@@ -47,14 +47,7 @@ pub(crate) fn check(house: &House, boards: &[&'static Board]) -> Result<(), Stri
         boards.iter().position(|board| board.target == target) == Some(number)
     };
     let boards = boards.iter().enumerate().filter(|(number, _)| is_first(*number));
-    std::thread::scope(|scope| {
-        let spawn = |board: &'static Board| scope.spawn(move || one(house, board));
-        let checks: Vec<_> = boards.map(|(_, board)| spawn(board)).collect();
-        checks.into_iter().try_for_each(|check| match check.join() {
-            Ok(outcome) => outcome,
-            Err(_) => Err("a thread that builds firmware stopped".into()),
-        })
-    })
+    boards.map(|(_, board)| board).try_for_each(|board| one(house, board))
 }
 
 /// Checks one board. Before its firmware, the variant that panics must be found out.

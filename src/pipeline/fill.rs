@@ -300,10 +300,13 @@ impl<V: Varying> Ready<V> {
             core::hint::black_box(&mut spans);
         }
         // Where the pixel loop needs many registers, planes stay where they are.
-        let is_rich = !S::Output::PLAIN || <Access<S>>::HAS_STENCIL;
-        let is_long =
-            if BY_HALVES { is_rich || V::IN_RUNS } else { is_rich && !<Access<S>>::HAS_DEPTH };
-        let Self { planes, z_plane } = if is_long { core::hint::black_box(self) } else { self };
+        let does_more_than_store = !S::Output::PLAIN || <Access<S>>::HAS_STENCIL;
+        let planes_stay = if BY_HALVES {
+            does_more_than_store || V::IN_RUNS
+        } else {
+            does_more_than_store && !<Access<S>>::HAS_DEPTH
+        };
+        let Self { planes, z_plane } = if planes_stay { core::hint::black_box(self) } else { self };
         for span in spans.by_ref() {
             let Span { y, left, right, .. } = *span;
             let (pixels, cells) = window.row(y, left, right)?;

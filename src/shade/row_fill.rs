@@ -16,10 +16,24 @@ impl<S: State, F: Format, V: Stepped> Row<'_, S, F, V> {
     /// Stores one value in each pixel that passes the depth test.
     #[inline(always)]
     pub(super) fn fill_visible(self, raw: F::Raw) {
+        let is_level = self.is_level();
+        // With few registers, the loop over both is the longer one; of lines, it is none.
+        let by_codes = is_level || !BY_HALVES && self.pixels.len() != 1;
+        self.fill_visible_by(by_codes, is_level, raw);
+    }
+
+    /// Whether the row is long and has one depth.
+    #[inline(always)]
+    fn is_level(&self) -> bool {
+        self.may_be_level && self.pixels.len() >= LONG && self.z_step == 0
+    }
+
+    /// The same by a loop over colours and codes, where cells are codes, or by that over a row's
+    /// pixels.
+    #[inline(always)]
+    fn fill_visible_by(self, by_codes: bool, is_level: bool, raw: F::Raw) {
         let Self { pixels, cells, mut z, z_step, depth, counter, .. } = self;
-        let is_level = self.may_be_level && pixels.len() >= LONG && z_step == 0;
-        let cells = if !is_level && (BY_HALVES || pixels.len() == 1) {
-            // With few registers, the loop over both is the longer one; of lines, it is none.
+        let cells = if !by_codes {
             cells
         } else {
             match <Access<S>>::codes(cells) {
@@ -93,7 +107,7 @@ mod tests {
     use crate::shade::{Counting, LessEqual, Output, ReadOnly, States, Stats};
     use crate::{raster::Scanline, Rgb565};
 
-    /// Fills a row under a test, and does the same pixel by pixel.
+    /// Fills a row under a test in every way, and does the same pixel by pixel.
     fn check<D: DepthTest<Access = crate::frame::ReadWrite>>(
         depth: D,
         codes: &[u16],
@@ -101,9 +115,6 @@ mod tests {
         z_step: u32,
     ) {
         const COLOR: Color = Color::new(255, 0, 0);
-        let (mut pixels, mut cells) = ([7u16; 64], [0u16; 64]);
-        let (pixels, cells) = (&mut pixels[..codes.len()], &mut cells[..codes.len()]);
-        cells.copy_from_slice(codes);
         let (mut expected, mut visible) = (([7u16; 64], [0u16; 64]), 0);
         let mut along = z;
         for (i, &stored) in codes.iter().enumerate() {
@@ -114,25 +125,36 @@ mod tests {
             expected.1[i] = if passes && depth.writes() { code } else { stored };
             along = along.wrapping_add(z_step);
         }
-        let (output, mut stats) = (Output::default(), Stats::default());
-        Row::<States<D, Counting<'_>, Scanline, Output>, Rgb565, ()> {
-            x: 0,
-            y: 0,
-            pixels,
-            cells,
-            z,
-            z_step,
-            may_be_level: true,
-            varying: (),
-            step: (),
-            depth: &depth,
-            output: &output,
-            counter: &mut Counting(&mut stats),
+        for way in ["as the core has it", "by codes", "by pixels"] {
+            let (mut pixels, mut cells) = ([7u16; 64], [0u16; 64]);
+            let (pixels, cells) = (&mut pixels[..codes.len()], &mut cells[..codes.len()]);
+            cells.copy_from_slice(codes);
+            let (output, mut stats) = (Output::default(), Stats::default());
+            let row = Row::<States<D, Counting<'_>, Scanline, Output>, Rgb565, ()> {
+                x: 0,
+                y: 0,
+                pixels,
+                cells,
+                z,
+                z_step,
+                may_be_level: true,
+                varying: (),
+                step: (),
+                depth: &depth,
+                output: &output,
+                counter: &mut Counting(&mut stats),
+            };
+            let is_level = row.is_level();
+            match way {
+                "by codes" => row.fill_visible_by(true, is_level, 0xF800),
+                "by pixels" => row.fill_visible_by(false, is_level, 0xF800),
+                _ => row.fill(COLOR),
+            }
+            let case = (way, z, z_step);
+            assert_eq!(pixels, &expected.0[..codes.len()], "colours {case:x?}");
+            assert_eq!(cells, &expected.1[..codes.len()], "codes {case:x?}");
+            assert_eq!(stats.pixels, visible, "pixels {case:x?}");
         }
-        .fill(COLOR);
-        assert_eq!(pixels, &expected.0[..codes.len()], "colours from {z:x} by {z_step:x}");
-        assert_eq!(cells, &expected.1[..codes.len()], "codes from {z:x} by {z_step:x}");
-        assert_eq!(stats.pixels, visible, "pixels from {z:x} by {z_step:x}");
     }
 
     #[test]

@@ -51,27 +51,6 @@ pub(crate) enum Target<'t, 'a, F: Format, D, A: DepthAccess> {
     Rows(&'t mut Frame<'a, F, D>),
 }
 
-impl<F: Format, D: Supplies<A>, A: DepthAccess> Target<'_, '_, F, D, A> {
-    /// Draws on a window that holds a span; `None` if there is none.
-    #[inline(always)]
-    pub(crate) fn on(
-        &mut self,
-        span: &Span,
-        draw: impl FnOnce(&mut Window<'_, F, A>) -> Option<()>,
-    ) -> Option<()> {
-        match self {
-            Self::Whole(window) => draw(window),
-            Self::Rows(frame) => {
-                let stride = frame.stride;
-                let before =
-                    (span.y as usize).wrapping_mul(stride).wrapping_add(span.left as usize);
-                let (pixels, cells) = frame.row_with_depth::<A>(span.y, span.left, span.right)?;
-                draw(&mut Window { pixels, cells, stride, before })
-            }
-        }
-    }
-}
-
 impl<'a, F: Format, D> Frame<'a, F, D> {
     /// What spans are drawn on.
     #[inline(always)]
@@ -86,5 +65,19 @@ impl<'a, F: Format, D> Frame<'a, F, D> {
         let before = usize::from(self.first_row).wrapping_mul(stride);
         let (pixels, cells) = (&mut *self.pixels, self.depth.all());
         Target::Whole(Window { pixels, cells, stride, before })
+    }
+
+    /// A window of a span alone; `None` if the frame does not reach so far.
+    ///
+    /// Not inlined: there is one copy for all shaders.
+    #[inline(never)]
+    pub(crate) fn window<A: DepthAccess>(&mut self, span: &Span) -> Option<Window<'_, F, A>>
+    where
+        D: Supplies<A>,
+    {
+        let stride = self.stride;
+        let before = (span.y as usize).wrapping_mul(stride).wrapping_add(span.left as usize);
+        let (pixels, cells) = self.row_with_depth::<A>(span.y, span.left, span.right)?;
+        Some(Window { pixels, cells, stride, before })
     }
 }

@@ -1,13 +1,13 @@
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
-use rayon::slice::ParallelSliceMut;
+use std::sync::Mutex;
 
 use crate::color::Format;
 use crate::frame::{DepthBuffer, Frame, FrameError, Size};
 
 /// A whole picture in memory, drawn in bands by as many threads as there are cores.
 ///
-/// The scene is drawn once for each band, as by [`Bands`](crate::Bands), and bands share nothing: no
-/// locks, and the picture that one thread would draw, bit for bit.
+/// The scene is drawn once for each band, as by [`Bands`](crate::Bands), and bands share nothing: it
+/// is the picture that one thread would draw, bit for bit. The thread that asks for it draws too: the
+/// others take bands as they come awake, and it takes all that they leave.
 ///
 /// ```
 /// use microraster::host::ParallelBands;
@@ -30,7 +30,9 @@ use crate::frame::{DepthBuffer, Frame, FrameError, Size};
 ///
 /// # Cost
 /// Each band pays for the scene's vertices and for its triangles' set-up, so that threads pay where
-/// pixels outweigh those. `cargo peers --threads` measures it.
+/// pixels outweigh those. Threads that sleep take some tens of microseconds to come. Where the thread
+/// that asks is one of rayon's, as by [`use_current_thread`](rayon::ThreadPoolBuilder::use_current_thread),
+/// it does not wait for those that came too late; any other has to. `cargo peers --threads` measures it.
 #[derive(Debug)]
 pub struct ParallelBands<'a, F: Format> {
     pixels: &'a mut [F::Raw],
@@ -77,15 +79,31 @@ where
             return;
         };
         let length = width * usize::from(rows);
-        let bands = pixels.par_chunks_mut(length).zip(depth.par_chunks_mut(length));
-        bands.zip(0..picture.height.div_ceil(rows)).for_each(|((pixels, depth), number)| {
-            let first_row = number * rows;
-            let size = Size::new(picture.width, rows.min(picture.height - first_row));
-            let frame = Frame::new(pixels, size)
-                .and_then(|frame| frame.with_depth(depth)?.band(first_row, picture.height));
-            if let Ok(mut frame) = frame {
-                scene(&mut frame);
+        let count = picture.height.div_ceil(rows);
+        let bands = pixels.chunks_mut(length).zip(depth.chunks_mut(length)).zip(0..count);
+        let bands = Mutex::new(bands);
+        let draw_bands = || {
+            while let Some(((pixels, depth), number)) = next(&bands) {
+                let first_row = number * rows;
+                let size = Size::new(picture.width, rows.min(picture.height - first_row));
+                let frame = Frame::new(pixels, size)
+                    .and_then(|frame| frame.with_depth(depth)?.band(first_row, picture.height));
+                if let Ok(mut frame) = frame {
+                    scene(&mut frame);
+                }
             }
+        };
+        let threads = rayon::current_num_threads().min(count.into());
+        rayon::in_place_scope(|scope| {
+            for _ in 1..threads {
+                scope.spawn(|_| draw_bands());
+            }
+            draw_bands();
         });
     }
+}
+
+/// What comes next, for one thread of several.
+fn next<I: Iterator>(items: &Mutex<I>) -> Option<I::Item> {
+    items.lock().ok()?.next()
 }

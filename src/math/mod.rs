@@ -51,6 +51,7 @@ pub(crate) fn rolled(n: usize) -> impl Iterator<Item = usize> {
 pub use angle::Angle;
 pub use angle_units::AngleUnits;
 pub use inverse_sqrt::{inverse_sqrt, InverseSqrt};
+pub(crate) use leading_zeros::leading_zeros;
 pub(crate) use mat4::sum_of_products;
 pub use mat4::Mat4;
 pub(crate) use reciprocal::{inlined_reciprocal_of_some, reciprocal_of_some};

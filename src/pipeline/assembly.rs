@@ -1,5 +1,5 @@
-use super::cache::{slot, Entry};
-use super::clipper::Fan;
+use super::cache::{entry, holds, kept, slot, Entry};
+use super::clipper::{signed_area, Fan};
 use super::mapping::Mapping;
 use super::projected::{flag, Projected};
 use super::transform::Transform;
@@ -125,8 +125,8 @@ pub(super) struct Assembly<T: Topology> {
 /// # Cost
 /// About 110 instructions on Cortex-M4 for a vertex in the view, 280 on Cortex-M0+.
 #[inline(never)]
-fn keep<P: Positions>(entry: &mut Entry, index: u32, positions: &P, mapping: &Mapping) {
-    entry.keep(index, positions.projected(index, mapping));
+fn keep<P: Positions>(place: &mut Entry, index: u32, positions: &P, mapping: &Mapping) {
+    *place = entry(index, positions.projected(index, mapping));
 }
 
 /// A vertex, from the cache or made for it.
@@ -137,13 +137,13 @@ pub(super) fn vertex<P: Positions>(
     positions: &P,
     mapping: &Mapping,
 ) -> Projected {
-    let Some(entry) = cache.get_mut(slot(index, cache.len())) else {
+    let Some(place) = cache.get_mut(slot(index, cache.len())) else {
         return Projected::INVALID;
     };
-    if !entry.holds(index) {
-        keep(entry, index, positions, mapping);
+    if !holds(place, index) {
+        keep(place, index, positions, mapping);
     }
-    entry.vertex
+    kept(place)
 }
 
 /// Twice the area of a triangle.
@@ -246,7 +246,9 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
         face: &mut Face,
     ) -> bool {
         let area = if (a.flags() | b.flags() | c.flags()) & flag::CLIP == 0 {
-            area_of(&[a, b, c])
+            face.triangle.v = [a, b, c].each_ref().map(|vertex| self.mapping.place(vertex));
+            face.flags = a.flags() & b.flags() & c.flags();
+            signed_area(&face.triangle.v)
         } else {
             let cut = self.fan.cut(&self.mapping, |index| positions.clip(index), &face.vertices);
             if cut.is_none() {
@@ -267,8 +269,7 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
             Event::Culled
         } else {
             if !face.clipped {
-                face.place(&self.mapping, &[a, b, c], area < 0);
-                face.triangle.area = area.wrapping_abs();
+                face.triangle.turn(area);
                 return true;
             }
             (face.covered, face.flags) = (false, 0);

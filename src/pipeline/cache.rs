@@ -1,7 +1,11 @@
 use super::projected::{flag, Projected};
+use crate::color::fill_words;
 
-/// The index of an empty slot: the last number there is, which no mesh has.
-const NONE: u32 = u32::MAX;
+/// Every word of an empty slot: as an index what no mesh has, since its vertices would fill 24 GB, as
+/// flags a vertex that is not there and not shaded.
+const NONE: u32 = 0xFEFE_FEFE;
+
+const _: () = assert!(NONE & flag::INVALID != 0 && NONE & flag::SHADED == 0, "an empty slot");
 
 /// Vertices that were transformed and shaded already, for up to `N` of them (a power of two).
 ///
@@ -29,14 +33,12 @@ pub struct VertexCache<C, const N: usize> {
     corners: [C; N],
 }
 
-/// A vertex that was transformed.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Entry {
-    /// The vertex's index. An empty slot holds [`NONE`], and no valid vertex.
-    index: u32,
-    /// The vertex, marked as [`SHADED`](flag::SHADED) when its attributes are made too.
-    pub(super) vertex: Projected,
-}
+/// A vertex that was transformed: its index, and the words of a [`Projected`], marked as
+/// [`SHADED`](flag::SHADED) when its attributes are made too. An empty slot holds [`NONE`] thrice,
+/// which is no valid vertex.
+///
+/// Words, so that slots are emptied as memory is filled.
+pub(super) type Entry = [u32; 3];
 
 impl<C: Copy + Default, const N: usize> Default for VertexCache<C, N> {
     fn default() -> Self {
@@ -60,18 +62,15 @@ impl<C: Copy, const N: usize> VertexCache<C, N> {
     pub const fn with_blank(blank: C) -> Self {
         let () = Self::POWER_OF_TWO;
         // All zeros, so that a `static` takes no flash: `start` is what empties a slot.
-        let vertex = Projected::new(0, 0, 0, 0);
-        Self { entries: [Entry { index: 0, vertex }; N], corners: [blank; N] }
+        Self { entries: [[0; 3]; N], corners: [blank; N] }
     }
 
     /// Forgets all vertices and lends the arrays out, without their length in the type.
     #[inline]
     pub(super) fn start(&mut self) -> CacheView<'_, C> {
-        for entry in &mut self.entries {
-            (entry.index, entry.vertex.z_flags) = (NONE, flag::INVALID);
-            // One at a time: unrolled it is longer and no faster.
-            core::hint::black_box(());
-        }
+        // As 16-bit words, for which the function is there already where depth or RGB565 is cleared.
+        let words = bytemuck::cast_slice_mut::<Entry, u16>(&mut self.entries);
+        fill_words(words, (NONE & 0xFFFF) as u16, NONE);
         CacheView { entries: &mut self.entries, corners: &mut self.corners }
     }
 }
@@ -90,18 +89,22 @@ pub(super) fn slot(index: u32, length: usize) -> usize {
     index as usize & length.wrapping_sub(1)
 }
 
-impl Entry {
-    /// Whether this is the vertex.
-    #[inline(always)]
-    pub(super) fn holds(&self, index: u32) -> bool {
-        self.index == index
-    }
+/// Whether a slot holds this vertex.
+#[inline(always)]
+pub(super) fn holds([kept, ..]: &Entry, index: u32) -> bool {
+    *kept == index
+}
 
-    /// Keeps a vertex.
-    #[inline(always)]
-    pub(super) fn keep(&mut self, index: u32, vertex: Projected) {
-        *self = Self { index, vertex };
-    }
+/// The vertex of a slot.
+#[inline(always)]
+pub(super) fn kept([_, xy, z_flags]: &Entry) -> Projected {
+    Projected { xy: *xy, z_flags: *z_flags }
+}
+
+/// What a slot holds of a vertex.
+#[inline(always)]
+pub(super) fn entry(index: u32, vertex: Projected) -> Entry {
+    [index, vertex.xy, vertex.z_flags]
 }
 
 impl<C: Copy> CacheView<'_, C> {
@@ -110,7 +113,7 @@ impl<C: Copy> CacheView<'_, C> {
     pub(super) fn corner(&self, index: u32) -> Option<C> {
         let slot = slot(index, self.entries.len());
         let (entry, corner) = (self.entries.get(slot)?, self.corners.get(slot)?);
-        (entry.holds(index) && entry.vertex.flags() & flag::SHADED != 0).then_some(*corner)
+        (holds(entry, index) && kept(entry).flags() & flag::SHADED != 0).then_some(*corner)
     }
 
     /// The attributes of three vertices that are known to be kept.
@@ -127,8 +130,9 @@ impl<C: Copy> CacheView<'_, C> {
         let slot = slot(index, self.entries.len());
         if let (Some(entry), Some(place)) = (self.entries.get_mut(slot), self.corners.get_mut(slot))
         {
-            if entry.holds(index) {
-                entry.vertex.z_flags |= flag::SHADED;
+            if holds(entry, index) {
+                let [_, _, z_flags] = entry;
+                *z_flags |= flag::SHADED;
                 *place = corner;
             }
         }

@@ -118,6 +118,12 @@ fn between(a: i32, b: i32, t: i32) -> i32 {
     a.wrapping_add((way.wrapping_add(1 << 29) >> 30) as i32)
 }
 
+/// Twice the area of a triangle. One copy for all that is rare.
+#[inline(never)]
+pub(super) fn signed_area(corners: &[ScreenVertex; 3]) -> i64 {
+    twice_area(corners)
+}
+
 /// A triangle cut at the near and far planes and at the guard box, then cut into triangles about
 /// one corner of what is left of it, its apex.
 ///
@@ -242,11 +248,7 @@ impl Fan {
             self.next = self.next.wrapping_add(1);
             let area = self.piece_area(&mut triangle.v);
             if area != 0 && (area < 0) == (self.area < 0) {
-                triangle.flipped = area < 0;
-                triangle.area = area.wrapping_abs();
-                if triangle.flipped {
-                    triangle.v.swap(1, 2);
-                }
+                triangle.turn(area);
                 return true;
             }
         }
@@ -258,7 +260,7 @@ impl Fan {
     #[allow(clippy::cast_possible_truncation, reason = "a depth code")]
     fn piece_area(&self, corners: &mut [ScreenVertex; 3]) -> i64 {
         *corners = self.piece().map(|[x, y, z, ..]| ScreenVertex::from_bits(*x, *y, *z as u16));
-        twice_area(corners)
+        signed_area(corners)
     }
 
     /// The weights of the corners of the piece that [`next`](Self::next) gave, in the polygon's

@@ -161,40 +161,59 @@ impl<V: Varying> Fill<'_, V> {
             V::planes(&gradients, self.corners, self.provoking, in_pieces)
         };
         let mut ready = Ready::<V> { planes, z_plane };
-        loop {
-            let drawn = match &mut *target {
-                Target::Whole(window) if !in_pieces => {
-                    ready.draw::<H, S, F>(batch.spans(), window, state, shader)
+        match &mut *target {
+            Target::Whole(window) if !in_pieces => loop {
+                let drawn = ready.draw::<H, S, F>(batch.spans(), window, state, shader);
+                if drawn.is_none() || batch.is_last() {
+                    return;
                 }
-                target => {
-                    ready.draw_pieces::<H, S, F, D>(batch.spans(), in_pieces, target, state, shader)
-                }
-            };
-            if drawn.is_none() || batch.is_last() {
-                return;
+                walk.next_spans(batch);
+            },
+            // Where this cannot be, it is not there.
+            target if V::PIECE != 0 || <Access<S>>::TOUCHES => {
+                ready.draw_pieces::<H, S, F, D, W>(in_pieces, target, state, shader, walk, batch);
             }
-            walk.next_spans(batch);
+            _ => {}
         }
     }
 }
 
-/// A span in pieces of `length` pixels from the row's first covered one, as far as they are drawn,
-/// and where each would begin.
-fn pieces(span: &Span, length: i32) -> impl Iterator<Item = (i32, Span)> {
-    let Span { first, left, right, .. } = *span;
-    let span = *span;
-    let mut from = first;
-    core::iter::from_fn(move || {
-        while from < right {
-            let (start, end) = (from, from.wrapping_add(length));
-            from = end;
-            if end > left {
-                let piece = Span { left: start.max(left), right: end.min(right), ..span };
-                return Some((start, piece));
-            }
+/// Spans in pieces of `length` pixels from each row's first covered one, as far as they are drawn.
+struct Pieces<'a> {
+    spans: core::slice::Iter<'a, Span>,
+    /// The latest piece.
+    piece: Span,
+    /// Where the next one begins, and where its row ends.
+    from: i32,
+    right: i32,
+    length: i32,
+}
+
+impl<'a> Pieces<'a> {
+    fn new(spans: &'a [Span], length: i32) -> Self {
+        Self { spans: spans.iter(), piece: Span::default(), from: 0, right: 0, length }
+    }
+
+    /// Goes on to the next piece; where it would begin if all of it were drawn.
+    #[inline(never)]
+    fn next(&mut self) -> Option<i32> {
+        let mut start = self.from;
+        self.piece.left = start;
+        let mut end = start.wrapping_add(self.length);
+        if start >= self.right {
+            self.piece = *self.spans.next()?;
+            self.right = self.piece.right;
+            end = self.piece.first;
+            while {
+                start = end;
+                end = start.wrapping_add(self.length);
+                end <= self.piece.left
+            } {}
         }
-        None
-    })
+        self.from = end;
+        self.piece.right = end.min(self.right);
+        Some(start)
+    }
 }
 
 /// Longer than any row, and nothing overflows.
@@ -207,34 +226,52 @@ struct Ready<V: Varying> {
 }
 
 impl<V: Varying> Ready<V> {
-    /// Draws spans one by one, in pieces where planes are to be settled on each; `None` if the
-    /// frame does not reach so far.
+    /// Draws all spans one by one, in pieces where planes are to be settled on each.
     ///
     /// Apart, so that other triangles do not pay for it.
     #[inline(never)]
-    fn draw_pieces<H, S, F, D>(
+    fn draw_pieces<H, S, F, D, W>(
         &mut self,
-        spans: &[Span],
         in_pieces: bool,
         target: &mut Target<'_, '_, F, D, Access<S>>,
         state: &mut S,
         shader: &H,
-    ) -> Option<()>
-    where
+        walk: &mut W,
+        batch: &mut SpanBatch,
+    ) where
         H: Fragments<Varying = V>,
         S: State,
         F: Format,
         D: Supplies<Access<S>>,
+        W: SpanWalk,
     {
-        let length = if in_pieces { V::PIECE } else { ENDLESS };
-        spans.iter().try_for_each(|span| {
-            pieces(span, length).try_for_each(|(start, piece)| {
-                if in_pieces {
+        loop {
+            let length = if in_pieces { V::PIECE } else { ENDLESS };
+            let mut pieces = Pieces::new(batch.spans(), length);
+            while let Some(start) = pieces.next() {
+                let piece = &pieces.piece;
+                // Asked anew for each piece, as the target is: the compiler makes a loop for every
+                // answer that it can ask for once.
+                if V::PIECE != 0 && pieces.length != ENDLESS {
                     V::settle(&mut self.planes, start, piece.y);
                 }
-                target.on(&piece, |window| self.draw::<H, S, F>(&[piece], window, state, shader))
-            })
-        })
+                let spans = core::slice::from_ref(piece);
+                let drawn = match core::hint::black_box(&mut *target) {
+                    Target::Whole(window) => self.draw::<H, S, F>(spans, window, state, shader),
+                    Target::Rows(frame) => frame.window(piece).and_then(|mut window| {
+                        self.draw::<H, S, F>(spans, &mut window, state, shader)
+                    }),
+                };
+                // The frame does not reach so far.
+                if drawn.is_none() {
+                    return;
+                }
+            }
+            if batch.is_last() {
+                return;
+            }
+            walk.next_spans(batch);
+        }
     }
 
     /// Draws spans; `None` if the frame does not reach so far.
@@ -263,10 +300,13 @@ impl<V: Varying> Ready<V> {
             core::hint::black_box(&mut spans);
         }
         // Where the pixel loop needs many registers, planes stay where they are.
-        let is_rich = !S::Output::PLAIN || <Access<S>>::HAS_STENCIL;
-        let is_long =
-            if BY_HALVES { is_rich || V::IN_RUNS } else { is_rich && !<Access<S>>::HAS_DEPTH };
-        let Self { planes, z_plane } = if is_long { core::hint::black_box(self) } else { self };
+        let does_more_than_store = !S::Output::PLAIN || <Access<S>>::HAS_STENCIL;
+        let planes_stay = if BY_HALVES {
+            does_more_than_store || V::IN_RUNS
+        } else {
+            does_more_than_store && !<Access<S>>::HAS_DEPTH
+        };
+        let Self { planes, z_plane } = if planes_stay { core::hint::black_box(self) } else { self };
         for span in spans.by_ref() {
             let Span { y, left, right, .. } = *span;
             let (pixels, cells) = window.row(y, left, right)?;

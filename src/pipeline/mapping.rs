@@ -29,7 +29,7 @@ impl HalfSide {
     }
 
     /// Twice v / w x half a side in subpixels, rounded down; saturates far beyond the guard box.
-    #[inline(always)]
+    #[inline(never)]
     #[allow(clippy::cast_possible_wrap, reason = "mantissas are below 2^31")]
     fn twice(self, v: i32, over_w: Reciprocal) -> i32 {
         let down = self.down.wrapping_add(over_w.shift);

@@ -15,10 +15,10 @@ pub(crate) mod flag {
     pub(crate) const FAR: u32 = 1 << 22;
     /// Beyond what 12.4 holds: its triangles are clipped at the guard box.
     pub(crate) const RANGE: u32 = 1 << 23;
-    /// Not there, or no number.
-    pub(crate) const INVALID: u32 = 1 << 24;
     /// Of a viewport so large that areas in it may need more than 32 bits.
-    pub(crate) const LARGE: u32 = 1 << 25;
+    pub(crate) const LARGE: u32 = 1 << 24;
+    /// Not there, or no number.
+    pub(crate) const INVALID: u32 = 1 << 25;
 
     /// All but the cache's mark: none of a vertex in a view of ordinary size.
     pub(crate) const ALL: u32 = u32::MAX << 17;
@@ -37,9 +37,9 @@ const _: () = assert!(i16::MAX as i32 <= GUARD * SUBPIXELS, "what 12.4 holds nee
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Projected {
     /// x below y.
-    xy: u32,
+    pub(super) xy: u32,
     /// The depth code, and above it flags.
-    pub(crate) z_flags: u32,
+    pub(super) z_flags: u32,
 }
 
 impl Projected {

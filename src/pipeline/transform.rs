@@ -96,8 +96,8 @@ fn place_row(row: &mut [f32; 4], place: &Place, a: f32, b: f32, c: f32, d: f32) 
 }
 
 impl Transform {
-    /// For positions that come in clip space already.
-    pub(super) const NONE: Self = Self { rows: [[0; 4]; 4], has_z: true };
+    /// None yet: all zero, which takes no flash.
+    pub(super) const NONE: Self = Self { rows: [[0; 4]; 4], has_z: false };
 
     /// Makes this the transform of positions (-32768..=32767 by axis) of a mesh that lies at `place`
     /// to clip space by `matrix`.

@@ -1,6 +1,7 @@
 use super::{Plane, Triangle};
 use crate::math::{
-    inlined_reciprocal_of_some, mul_high_signed, reciprocal, weight, weighted_sum, BY_HALVES,
+    inlined_reciprocal_of_some, leading_zeros, mul_high_signed, reciprocal, weight, weighted_sum,
+    BY_HALVES,
 };
 
 /// What the attribute planes of one triangle share: its sides and the reciprocal of its area.
@@ -103,7 +104,7 @@ impl Gradients {
             // weight 2^(32 - room - shift). Sums lose 16 bits, slopes have 16 more and count
             // pixels of 16 subpixels, which leaves a shift that is never to the right.
             let scale = 68_u32.wrapping_sub(reciprocal.shift);
-            let zeros = longest.leading_zeros();
+            let zeros = leading_zeros(longest);
             let room = zeros.wrapping_sub(4).min(scale);
             let of = |side: i32| {
                 if BY_HALVES {
@@ -260,6 +261,20 @@ fn scaled_wide(numerator: i64, mantissa: u32, shift: u32) -> i32 {
 mod tests {
     use super::*;
     use crate::math::hard_numbers::Random;
+
+    #[test]
+    fn sides_of_a_subpixel_have_no_bits_and_their_products_are_right() {
+        // The complement of -1 has none, and a side may be its opposite.
+        let zeros = 0_u32.leading_zeros();
+        for (side, room) in (-1..=1).flat_map(|side| (0..=zeros - 4).map(move |room| (side, room)))
+        {
+            for mantissa in [1 << 30, (1 << 30) + 1, 0x5A5A_5A5A, (1 << 31) - 1] {
+                let exact = ((i64::from(side) << room) * i64::from(mantissa)) >> 32;
+                let short = high_of_short(side, zeros, room, mantissa);
+                assert_eq!(i64::from(short), exact, "{side}, {room}, {mantissa}");
+            }
+        }
+    }
 
     #[test]
     fn short_products_are_those_of_64_bits() {

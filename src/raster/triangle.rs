@@ -138,6 +138,17 @@ impl Triangle {
     pub(crate) const EMPTY: Self =
         Self { v: [ScreenVertex::from_bits(0, 0, 0); 3], area: 0, flipped: false };
 
+    /// Makes a triangle of three corners in any order, of which twice the area is given. One copy
+    /// for all that is rare.
+    #[inline(never)]
+    pub(crate) fn turn(&mut self, area: i64) {
+        self.flipped = area < 0;
+        self.area = area.wrapping_abs();
+        if self.flipped {
+            self.v.swap(1, 2);
+        }
+    }
+
     /// Takes three corners in any order.
     ///
     /// `None` if the area is zero or a corner lies outside of the square of [`GUARD`] about the

@@ -16,7 +16,7 @@ impl<S: State, F: Format, V: Stepped> Row<'_, S, F, V> {
     /// Stores one value in each pixel that passes the depth test.
     #[inline(always)]
     pub(super) fn fill_visible(self, raw: F::Raw) {
-        let Self { pixels, cells, mut z, z_step, depth, counter, .. } = self;
+        let Self { pixels, cells, z, z_step, depth, counter, .. } = self;
         let is_level = self.may_be_level && pixels.len() >= LONG && z_step == 0;
         let cells = if !is_level && (BY_HALVES || pixels.len() == 1) {
             // With few registers, the loop over both is the longer one; of lines, it is none.
@@ -27,12 +27,7 @@ impl<S: State, F: Format, V: Stepped> Row<'_, S, F, V> {
                     return fill_level::<S::Depth, F, _>(pixels, codes, z, raw, depth, counter);
                 }
                 Ok(codes) => {
-                    return pixels.iter_mut().zip(codes).for_each(|(pixel, stored)| {
-                        store_visible((z >> 16) as u16, raw, pixel, stored, depth, counter);
-                        z = z.wrapping_add(z_step);
-                        // Not unrolled, here and below: the copies would need more registers.
-                        core::hint::black_box(());
-                    });
+                    return fill_sloping(pixels, codes, (z, z_step), raw, depth, counter);
                 }
                 Err(cells) => cells,
             }
@@ -59,6 +54,24 @@ fn store_visible<T>(
         *pixel = raw;
         counter.pixels(1);
     }
+}
+
+/// Stores one value in each pixel of a row that passes the depth test.
+#[inline(always)]
+fn fill_sloping<T: Copy>(
+    pixels: &mut [T],
+    codes: &mut [u16],
+    (mut z, z_step): (u32, u32),
+    raw: T,
+    depth: &impl DepthTest,
+    counter: &mut impl Counter,
+) {
+    pixels.iter_mut().zip(codes).for_each(|(pixel, stored)| {
+        store_visible((z >> 16) as u16, raw, pixel, stored, depth, counter);
+        z = z.wrapping_add(z_step);
+        // Not unrolled, here and below: the copies would need more registers.
+        core::hint::black_box(());
+    });
 }
 
 /// Stores one value in each pixel of a long row of one depth that passes the depth test, a few at
@@ -93,7 +106,7 @@ mod tests {
     use crate::shade::{Counting, LessEqual, Output, ReadOnly, States, Stats};
     use crate::{raster::Scanline, Rgb565};
 
-    /// Fills a row under a test, and does the same pixel by pixel.
+    /// Fills a row under a test in every way, and does the same pixel by pixel.
     fn check<D: DepthTest<Access = crate::frame::ReadWrite>>(
         depth: D,
         codes: &[u16],
@@ -101,9 +114,6 @@ mod tests {
         z_step: u32,
     ) {
         const COLOR: Color = Color::new(255, 0, 0);
-        let (mut pixels, mut cells) = ([7u16; 64], [0u16; 64]);
-        let (pixels, cells) = (&mut pixels[..codes.len()], &mut cells[..codes.len()]);
-        cells.copy_from_slice(codes);
         let (mut expected, mut visible) = (([7u16; 64], [0u16; 64]), 0);
         let mut along = z;
         for (i, &stored) in codes.iter().enumerate() {
@@ -114,25 +124,40 @@ mod tests {
             expected.1[i] = if passes && depth.writes() { code } else { stored };
             along = along.wrapping_add(z_step);
         }
-        let (output, mut stats) = (Output::default(), Stats::default());
-        Row::<States<D, Counting<'_>, Scanline, Output>, Rgb565, ()> {
-            x: 0,
-            y: 0,
-            pixels,
-            cells,
-            z,
-            z_step,
-            may_be_level: true,
-            varying: (),
-            step: (),
-            depth: &depth,
-            output: &output,
-            counter: &mut Counting(&mut stats),
+        for way in ["as this core does", "by codes", "by pixels"] {
+            let (mut pixels, mut cells) = ([7u16; 64], [0u16; 64]);
+            let (pixels, cells) = (&mut pixels[..codes.len()], &mut cells[..codes.len()]);
+            cells.copy_from_slice(codes);
+            let (output, mut stats) = (Output::default(), Stats::default());
+            let mut counter = Counting(&mut stats);
+            if way == "by codes" {
+                fill_sloping(pixels, cells, (z, z_step), 0xF800, &depth, &mut counter);
+            } else {
+                let row = Row::<States<D, Counting<'_>, Scanline, Output>, Rgb565, ()> {
+                    x: 0,
+                    y: 0,
+                    pixels,
+                    cells,
+                    z,
+                    z_step,
+                    may_be_level: true,
+                    varying: (),
+                    step: (),
+                    depth: &depth,
+                    output: &output,
+                    counter: &mut counter,
+                };
+                if way == "by pixels" {
+                    row.each_packed(|_| Some(0xF800));
+                } else {
+                    row.fill(COLOR);
+                }
+            }
+            let case = (way, z, z_step);
+            assert_eq!(pixels, &expected.0[..codes.len()], "colours {case:x?}");
+            assert_eq!(cells, &expected.1[..codes.len()], "codes {case:x?}");
+            assert_eq!(stats.pixels, visible, "pixels {case:x?}");
         }
-        .fill(COLOR);
-        assert_eq!(pixels, &expected.0[..codes.len()], "colours from {z:x} by {z_step:x}");
-        assert_eq!(cells, &expected.1[..codes.len()], "codes from {z:x} by {z_step:x}");
-        assert_eq!(stats.pixels, visible, "pixels from {z:x} by {z_step:x}");
     }
 
     #[test]

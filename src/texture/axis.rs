@@ -77,13 +77,25 @@ impl Axis {
 
     /// The same, and 8 bits of what lies behind its beginning.
     #[inline(always)]
-    #[allow(clippy::cast_possible_truncation, reason = "halves of a product")]
     pub(super) const fn repeated_place(&self, turned: i32) -> (u32, u32) {
-        if !BY_HALVES {
-            // One multiplication gives both, and spares the register that a shift would need.
-            let product = (turned.cast_unsigned() as u64).wrapping_mul(self.side() as u64);
-            return ((product >> 32) as u32, product as u32 >> 24);
+        if BY_HALVES {
+            self.place_by_shifts(turned)
+        } else {
+            self.place_by_a_product(turned)
         }
+    }
+
+    /// One multiplication gives both, and spares the register that a shift would need.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "halves of a product")]
+    const fn place_by_a_product(&self, turned: i32) -> (u32, u32) {
+        let product = (turned.cast_unsigned() as u64).wrapping_mul(self.side() as u64);
+        ((product >> 32) as u32, product as u32 >> 24)
+    }
+
+    /// The same where long products are dear.
+    #[inline(always)]
+    const fn place_by_shifts(&self, turned: i32) -> (u32, u32) {
         let place = turned.cast_unsigned().wrapping_shr(self.below);
         (place >> 8, place & 255)
     }
@@ -199,7 +211,12 @@ mod tests {
                     let turned = axis.turned(i.wrapping_mul(0x9E37_79B9_u32.cast_signed()));
                     let place = (u64::from(turned.cast_unsigned()) * u64::from(side)) >> 24;
                     let expected = ((place >> 8) as u32, (place & 255) as u32);
-                    assert_eq!(axis.repeated_place(turned), expected, "{side}: place {turned:x}");
+                    let ways = [
+                        axis.repeated_place(turned),
+                        axis.place_by_a_product(turned),
+                        axis.place_by_shifts(turned),
+                    ];
+                    assert_eq!(ways, [expected; 3], "{side}: place {turned:x}");
                     assert_eq!(axis.repeated(turned), expected.0, "{side}: texel {turned:x}");
                 }
             }

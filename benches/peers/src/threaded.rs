@@ -1,24 +1,53 @@
-//! This crate in bands, by several threads: lit meshes recorded once, all else drawn in each band.
+//! This crate in bands, by several threads: lit meshes recorded in as many parts as there are threads,
+//! each by one of them, all else drawn in each band.
+
+use std::cell::RefCell;
 
 use microraster::host::ParallelBands;
+use microraster::math::Mat4;
 use microraster::{
-    Color, Corner, Cull, DisplayList, Flat, Gouraud, Less, ListTriangle, ListVertex, Normal, Pass,
-    Rgb565, Shader, Varying, VertexCache,
+    Color, Cull, DisplayList, Flat, Gouraud, IndexedList, Less, ListTriangle, ListVertex, Mesh,
+    Normal, Pass, Recording, Rgb565, Shader, Varying, VertexCache,
 };
 
 use crate::renderers::microraster::{ready, Cache, Drawing, Ready};
 use crate::renderers::Renderer;
 use crate::scene::{Rgb, Scene, Size};
 
-struct Threaded {
-    ready: Ready,
-    pool: rayon::ThreadPool,
+/// Vertices and triangles that a part's list has room for: enough for the largest mesh.
+const ROOM: usize = 8192;
+
+/// What a part of a mesh is recorded with.
+struct Part {
+    vertices: Vec<ListVertex<Color>>,
+    triangles: Vec<ListTriangle>,
+    cache: Box<VertexCache<u16, 2048>>,
 }
 
-/// A scene made ready for so many threads.
+impl Part {
+    fn new() -> Self {
+        Self {
+            vertices: vec![ListVertex::default(); ROOM],
+            triangles: vec![ListTriangle::BLANK; ROOM],
+            cache: Box::new(VertexCache::new()),
+        }
+    }
+}
+
+struct Threaded {
+    ready: Ready,
+    parts: Vec<Part>,
+}
+
+/// A scene made ready for so many threads, of which the caller's is one.
 pub(crate) fn make(scene: &Scene, size: Size, threads: usize) -> anyhow::Result<Box<dyn Renderer>> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-    Ok(Box::new(Threaded { ready: ready(scene, size), pool }))
+    // Refused from the second scene on: the threads are there.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
+    let made = pool.build_global();
+    let all = rayon::current_num_threads();
+    anyhow::ensure!(all == threads, "{all} threads instead of {threads}: {made:?}");
+    let parts = (0..threads).map(|_| Part::new()).collect();
+    Ok(Box::new(Threaded { ready: ready(scene, size), parts }))
 }
 
 impl Renderer for Threaded {
@@ -27,18 +56,21 @@ impl Renderer for Threaded {
     }
 
     fn draw(&mut self, number: usize) {
-        let Self { ready, pool } = self;
+        thread_local! {
+            static CACHE: RefCell<Box<Cache>> = RefCell::new(Box::new(Cache::new()));
+        }
+        let Self { ready, parts } = self;
         match ready.drawing.lit() {
-            Some((_, light, true)) => {
-                pool.install(|| replayed(ready, number, &Gouraud::new(light)));
-            }
-            Some((_, light, false)) => pool.install(|| replayed(ready, number, &Flat::new(light))),
-            None => pool.install(|| {
+            Some((_, light, true)) => replayed(ready, parts, number, &Gouraud::new(light)),
+            Some((_, light, false)) => replayed(ready, parts, number, &Flat::new(light)),
+            None => {
                 let Ready { drawing, size, pixels, depth, .. } = ready;
                 if let Ok(bands) = ParallelBands::<Rgb565>::new(pixels, depth, *size) {
-                    bands.draw(|frame| drawing.draw(frame, number, &mut Cache::new()));
+                    bands.draw(|frame| {
+                        CACHE.with_borrow_mut(|cache| drawing.draw(frame, number, cache));
+                    });
                 }
-            }),
+            }
         }
     }
 
@@ -47,30 +79,56 @@ impl Renderer for Threaded {
     }
 }
 
-/// Vertices and triangles that a list has room for: enough for the largest mesh.
-const ROOM: usize = 8192;
+/// Records a part of a lit mesh.
+fn recorded<'a, H>(
+    Part { vertices, triangles, cache }: &'a mut Part,
+    mesh: &Mesh<'_, Normal, IndexedList<'_, u16>>,
+    size: microraster::Size,
+    model: &Mat4,
+    shader: &'a H,
+) -> Option<Recording<'a, H>>
+where
+    H: Shader<Vertex = Normal>,
+    H::Varying: Varying<Corner = Color>,
+{
+    let list = DisplayList::new(vertices, triangles, &mut []);
+    let camera = Drawing::camera();
+    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
+    pass.record(list, size, model, mesh, shader, cache).ok()
+}
 
-/// Records a lit mesh and draws its bands from the one list.
-fn replayed<H>(ready: &mut Ready, number: usize, shader: &H)
+/// Records a lit mesh in parts, and draws each band from all of them in their order.
+fn replayed<H>(ready: &mut Ready, parts: &mut [Part], number: usize, shader: &H)
 where
     H: Shader<Vertex = Normal> + Sync,
-    H::Prepared: Sync,
+    H::Prepared: Send + Sync,
     H::Varying: Varying<Corner = Color>,
 {
     let Ready { drawing, size, pixels, depth, .. } = ready;
+    let (size, model) = (*size, drawing.model(number));
     let Some((mesh, ..)) = drawing.lit() else { return };
-    let (camera, model) = (Drawing::camera(), drawing.model(number));
-    let mut vertices = vec![ListVertex::<Corner<H::Varying>>::default(); ROOM];
-    let mut triangles = vec![ListTriangle::BLANK; ROOM];
-    let list = DisplayList::new(&mut vertices, &mut triangles, &mut []);
-    let mut cache = VertexCache::<u16, 2048>::new();
-    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
-    let recording = pass.record(list, *size, &model, &mesh, shader, &mut cache);
-    let bands = ParallelBands::<Rgb565>::new(pixels, depth, *size);
-    if let (Ok(recording), Ok(bands)) = (recording, bands) {
+    let mut recordings: Vec<Option<Recording<'_, H>>> = parts.iter().map(|_| None).collect();
+    let triangles = drawing.indices().len() / 3;
+    let indices = drawing.indices().chunks(3 * triangles.div_ceil(parts.len()).max(1));
+    let model = &model;
+    rayon::in_place_scope(|scope| {
+        let meshes = indices.map(|indices| mesh.indexed(indices));
+        let mut work = recordings.iter_mut().zip(parts).zip(meshes);
+        let first = work.next();
+        for ((place, part), mesh) in work {
+            scope.spawn(move |_| *place = recorded(part, &mesh, size, model, shader));
+        }
+        if let Some(((place, part), mesh)) = first {
+            *place = recorded(part, &mesh, size, model, shader);
+        }
+    });
+    if let Ok(bands) = ParallelBands::<Rgb565>::new(pixels, depth, size) {
         bands.draw(|frame| {
-            let drawn = Pass::new(&Drawing::camera()).depth(Less).replay_shared(frame, &recording);
-            debug_assert!(drawn.is_ok(), "recorded for this picture");
+            let camera = Drawing::camera();
+            for recording in recordings.iter().flatten() {
+                let drawn = Pass::new(&camera).depth(Less).replay_shared(frame, recording);
+                debug_assert!(drawn.is_ok(), "recorded for this picture");
+            }
         });
     }
 }

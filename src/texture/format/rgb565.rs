@@ -117,11 +117,24 @@ fn doubled(texels: &[u16; 2], order: u32) -> [u32; 2] {
     const ONE_WORD: bool =
         cfg!(all(target_endian = "little", not(target_arch = "riscv32"))) && !BY_HALVES;
     if ONE_WORD {
-        // Read as one word, wherever it lies.
-        let pair = bytemuck::cast::<_, u32>(*texels) | order;
-        return [pair & 0xFFFF | pair << 16, pair & 0xFFFF_0000 | pair >> 16];
+        doubled_from_a_word(texels, order)
+    } else {
+        doubled_alone(texels)
     }
+}
+
+/// Reads both as one word, wherever it lies, whose lower half is the first.
+#[inline(always)]
+fn doubled_from_a_word(texels: &[u16; 2], order: u32) -> [u32; 2] {
+    let pair = bytemuck::cast::<_, u32>(*texels) | order;
+    [pair & 0xFFFF | pair << 16, pair & 0xFFFF_0000 | pair >> 16]
+}
+
+/// Reads one after the other.
+#[inline(always)]
+fn doubled_alone(texels: &[u16; 2]) -> [u32; 2] {
     let [from, to] = texels;
+    // Through references: loads stay where the halves are wanted.
     [from, to].map(|texel| u32::from(*texel) | u32::from(*texel) << 16)
 }
 
@@ -200,7 +213,12 @@ mod tests {
         let pairs = [[0x1234u16, 0xFEDC], [0, u16::MAX], [u16::MAX, 0]];
         for [from, to] in pairs {
             let twice = |texel: u16| u32::from(texel) * 0x0001_0001;
-            assert_eq!(doubled(&[from, to], 0), [twice(from), twice(to)], "{from:x}, {to:x}");
+            let expected = [twice(from), twice(to)];
+            assert_eq!(doubled(&[from, to], 0), expected, "{from:x}, {to:x}");
+            assert_eq!(doubled_alone(&[from, to]), expected, "{from:x}, {to:x}");
+            if cfg!(target_endian = "little") {
+                assert_eq!(doubled_from_a_word(&[from, to], 0), expected, "{from:x}, {to:x}");
+            }
         }
     }
 }

@@ -119,6 +119,11 @@ impl Drawing {
         Mat4 { x, y, z, w }
     }
 
+    /// The vertices of all triangles.
+    pub(crate) fn indices(&self) -> &[u16] {
+        &self.indices
+    }
+
     /// A lit mesh, its light, and whether it is smooth.
     pub(crate) fn lit(&self) -> Option<(Mesh<'_, Normal, IndexedList<'_, u16>>, Lambert<1>, bool)> {
         let Attributes::Lit { normals, smooth } = &self.attributes else { return None };

@@ -18,8 +18,12 @@ mod scene_parts;
 mod scenes;
 mod support;
 
+use microraster::math::{AngleUnits, Mat4, Vec3};
+use microraster::texture::{Bilinear, MipMap, MipSampler, Nearest, Repeat};
 use microraster::{
-    AnyDepthState, AnyStencil, Band, Bands, FrameError, Rect, Rgb565, Size, Stenciled,
+    Adaptive, AnyDepthState, AnyStencil, Band, Bands, Camera, Consecutive, DisplayList, Every,
+    Exact, FrameError, Less, ListTriangle, ListVertex, Mesh, Pass, Rect, Rgb, Rgb565, Shader, Size,
+    Stenciled, Textured, TriangleStrip, VertexCache,
 };
 use repertoire::{check_bands, Scene};
 use scenes::golden::render::render;
@@ -255,4 +259,94 @@ fn random_scenes_are_the_same_through_bands() {
         pixels += check_bands::<Rgb565, Stenciled<AnyDepthState, AnyStencil>, _>(&scene, rows);
     }
     assert!(pixels > 300_000, "{pixels} pixels are too few");
+}
+
+/// Texels along each side of the largest picture.
+const SIDE: u16 = 64;
+
+/// The pictures of a mip-map, each in a colour of its own: which one was chosen is what is seen.
+fn mips() -> Vec<u16> {
+    let (mut texels, mut side) = (Vec::new(), SIDE);
+    while side > 0 {
+        let color = [0xF800, 0x07E0, 0x001F, 0xFFE0, 0xF81F, 0x07FF, 0xFFFF];
+        let texel = color[side.trailing_zeros() as usize];
+        texels.extend((0..side * side).map(|i| texel ^ (i % 3)));
+        side /= 2;
+    }
+    texels
+}
+
+/// Draws a floor up to the horizon, whole and in bands, drawn again and recorded.
+fn check_floor(shader: &impl Shader<Vertex = ((), [i16; 2])>, random: &mut Random) -> usize {
+    let corners = [[-100i16, 0, -100], [100, 0, -100], [-100, 0, 100], [100, 0, 100]];
+    let places = [[0, 0], [9000, 0], [0, 9000], [9000, 9000i16]].map(|place| ((), place));
+    let floor = Mesh::new(&corners, &places).with_topology(TriangleStrip::new(Consecutive::new(4)));
+    let mut unit = || random.unit() as f32 - 0.5;
+    let eye = Vec3::new(unit() * 90.0, 2.0 + 20.0 * (unit() + 0.5), unit() * 90.0);
+    let camera = Camera::perspective(60.0.degrees(), 0.5).look_at(
+        eye,
+        Vec3::new(unit() * 200.0, 0.0, unit() * 200.0),
+        Vec3::new(unit(), 1.0, unit()),
+    );
+    let model = Mat4::identity();
+    let draw = |rows: u16, records: bool| {
+        let length = 64 * usize::from(rows);
+        let (mut pixels, mut codes) = (vec![0; length], vec![0; length]);
+        let bands = Bands::<Rgb565>::new(&mut pixels, PICTURE).expect("rows fit");
+        let mut bands = bands.with_depth(&mut codes).expect("rows fit");
+        let (mut vertices, mut triangles) =
+            (vec![ListVertex::default(); 64], vec![ListTriangle::BLANK; 64]);
+        let mut numbers = [0; 48];
+        let mut cache = VertexCache::<u16, 4>::new();
+        let list = DisplayList::new(&mut vertices, &mut triangles, &mut numbers);
+        let mut pass = Pass::new(&camera).depth(Less);
+        let mut recording = pass
+            .record(list, PICTURE, &model, &floor, shader, &mut cache)
+            .expect("two triangles and their pieces fit");
+        let mut sent = Vec::new();
+        let drawn = bands.draw::<FrameError>(
+            |frame| {
+                frame.clear(Rgb::BLACK);
+                if records {
+                    pass.replay(frame, &mut recording).expect("made for this picture");
+                } else {
+                    pass.draw(frame, &model, &floor, shader);
+                }
+            },
+            |band| {
+                sent.extend_from_slice(band.pixels());
+                Ok(())
+            },
+        );
+        assert_eq!(drawn, Ok(()), "nothing fails");
+        sent
+    };
+    let whole = draw(PICTURE.height, false);
+    for rows in HEIGHTS.map(|rows| rows.min(PICTURE.height)) {
+        for records in [false, true] {
+            assert!(draw(rows, records) == whole, "{rows} rows from {eye:?}, recorded: {records}");
+        }
+    }
+    let mut seen: Vec<u16> = whole.iter().map(|texel| texel & 0x8410).collect();
+    seen.sort_unstable();
+    seen.dedup();
+    seen.len()
+}
+
+#[test]
+fn mip_maps_choose_the_same_picture_in_bands() {
+    let texels = mips();
+    let mips = MipMap::<Rgb565>::new(&texels, SIDE, SIDE).expect("all pictures are there");
+    let nearest = MipSampler::new(mips, Nearest, Repeat, Repeat).unit_bits(8);
+    let bilinear = MipSampler::new(mips, Bilinear, Repeat, Repeat).unit_bits(8);
+    let (mut random, mut colours) = (Random(0x31B), 0);
+    for _ in 0..40 {
+        let r = &mut random;
+        colours += check_floor(&Textured::new(nearest), r);
+        colours += check_floor(&Textured::new(nearest).perspective(Every::<8>), r);
+        colours += check_floor(&Textured::new(bilinear).perspective(Adaptive), r);
+        colours += check_floor(&Textured::new(bilinear).perspective(Exact), r);
+    }
+    // Black beside the floor, and more than one picture of the map on it.
+    assert!(colours > 3 * 160, "{colours} colours are too few");
 }

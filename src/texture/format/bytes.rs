@@ -52,8 +52,10 @@ macro_rules! in_bytes {
 
 in_bytes! {
     LittleEndian, from_le_bytes,
-    /// Texels of a format of 16 bits in bytes, the low one first: as in BMP and TGA files, and in an
-    /// `ImageRaw` of `embedded-graphics` that is little-endian.
+    /// Texels of a format of 16 bits in bytes, the low one first: as in BMP files whose masks are
+    /// those of RGB565, and in an `ImageRaw` of `embedded-graphics` that is little-endian. TGA files of
+    /// 16 bits, and BMP files without masks, have five bits a channel from bit 0 up, which is none
+    /// of these formats.
     ///
     /// ```
     /// use microraster::texture::{LittleEndian, Sampler, Texture};

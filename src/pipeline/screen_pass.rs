@@ -61,7 +61,8 @@ impl<D, C, T, O> ScreenPass<States<D, C, T, O>> {
     }
 
     /// Adds to `damage` where triangles, lines and points are drawn, also where they are hidden: what
-    /// of the picture a display has to be sent. What also [counts](Self::count) says so before.
+    /// of the picture a display has to be sent. In a pass that also
+    /// counts, [`count`](Self::count) comes before this.
     ///
     /// # Cost
     /// Some ten instructions a row of each primitive, or each run of pixels in which a varying is

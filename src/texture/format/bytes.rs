@@ -80,14 +80,16 @@ in_bytes! {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rgb888;
 
-/// Three bytes a texel, blue first: BMP and TGA files of 24 bits.
+/// Three bytes a texel, blue first: BMP and TGA files of 24 bits that are not compressed.
 ///
 /// The rows of such files mostly begin with the lowest one, so that `v` runs upwards; those of BMP
 /// files are without a gap where the width is a multiple of four.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bgr888;
 
-/// Four bytes a texel: blue, green, red, and alpha that is not multiplied in. TGA files of 32 bits.
+/// Four bytes a texel: blue, green, red, and alpha that is not multiplied in. TGA files of 32 bits that
+/// are not compressed. Most BMP files of 32 bits have the bytes, but 0 for alpha: nothing is seen of
+/// them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bgra8888;
 

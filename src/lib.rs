@@ -13,7 +13,6 @@
 //! | [`raster`] | finds the covered pixels by exact integers, and the planes of what is interpolated |
 //! | [`texture`] | reads pictures from flash: formats, wraps, filters, mip-maps |
 //! | [`shade`] | asks a [`Shader`] for the colour of each pixel that passes the depth test |
-//! | [`texture`] | what surfaces show, borrowed from flash |
 //! | [`frame`], [`color`] | store it: formats, stride, bands, scissor |
 //! | [`math`] | vectors, matrices, angles: the same bits everywhere |
 //!
@@ -27,8 +26,9 @@
 //! # Features
 //!
 //! None is on by default, and none changes a type. `embedded-graphics` makes a [`Frame`] a draw
-//! target for text and 2D; `std` adds `host` (pictures, model files) and more traversals; `tools`
-//! is what the host program `microraster` needs.
+//! target for text and 2D, and a [`Band`] a drawing that its display drivers take; `defmt` lets
+//! errors, sizes, rectangles and statistics be logged; `std` adds `host` (pictures, model files) and
+//! more traversals; `tools` is what the host program `microraster` needs.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -21,9 +21,9 @@ mod support;
 use microraster::math::{AngleUnits, Mat4, Vec3};
 use microraster::texture::{Bilinear, MipMap, MipSampler, Nearest, Repeat};
 use microraster::{
-    Adaptive, AnyDepthState, AnyStencil, Band, Bands, Camera, Consecutive, DisplayList, Every,
-    Exact, FrameError, Less, ListTriangle, ListVertex, Mesh, Pass, Rect, Rgb, Rgb565, Shader, Size,
-    Stenciled, Textured, TriangleStrip, VertexCache,
+    Adaptive, AnyDepthState, AnyStencil, Band, Bands, Camera, Consecutive, Damage, DisplayList,
+    Every, Exact, FrameError, Less, ListTriangle, ListVertex, Mesh, Pass, Rect, Rgb, Rgb565,
+    Shader, Size, Stenciled, Textured, TriangleStrip, VertexCache,
 };
 use repertoire::{check_bands, Scene};
 use scenes::golden::render::render;
@@ -106,6 +106,38 @@ fn a_cropped_band_holds_what_lies_in_the_area_and_says_where() {
             assert_eq!(band.area(), kept, "case {case}: {to:?} of {before:?}");
             assert_eq!(band.pixels(), expected, "case {case}: {to:?} of {before:?}");
             assert_eq!(band.as_bytes().len(), expected.len() * 2, "two bytes a pixel");
+        }
+    }
+}
+
+#[test]
+fn areas_as_far_as_numbers_reach_leave_a_band_what_they_share_with_it() {
+    let ends = [i32::MIN, i32::MIN + 1, -1, 0, 1, 2, 5, 8191, 8192, i32::MAX - 1, i32::MAX];
+    let mut random = Random(0xE4D5);
+    let mut buffer = vec![0; 8192 * 2];
+    for size in [(1, 8192), (8192, 1), (2, 8192), (3, 5)] {
+        for case in 0..300 {
+            let size = Size::new(size.0, size.1);
+            let bands = Bands::<Rgb565>::new(&mut buffer, size).expect("the buffer fits");
+            let mut bands = bands.rows_at_most(random.range(0, 65_535) as u16);
+            let number = random.range(0, i32::from(bands.count()) - 1) as u16;
+            let mut end = || ends[random.range(0, 10) as usize];
+            let (area, scissor) =
+                (Rect::new(end(), end(), end(), end()), Rect::new(end(), end(), end(), end()));
+            let mut damage = Damage::new(Size::new(0, 0));
+            damage.add(area);
+            let whole = bands.area(number);
+            let drawn = bands.draw_band(number, |frame| {
+                frame.set_scissor(scissor);
+                frame.clear(Rgb::RED);
+            });
+            let mut band = drawn.expect("there is such a band");
+            assert_eq!(band.area(), whole, "case {case}");
+            band.crop(damage.area());
+            let shared = whole.intersection(area);
+            let pixels = shared.width() as usize * shared.height() as usize;
+            assert_eq!(band.pixels().len(), pixels, "case {case}: {area:?}");
+            assert!(shared.is_empty() || band.area() == shared, "case {case}: {area:?}");
         }
     }
 }

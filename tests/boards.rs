@@ -222,6 +222,9 @@ fn each_pixel_goes_through_the_driver_once() {
     assert!(through_driver::<Rgb565, _>(ST7789, upright, SQUARE, 40) == square, "ST7789");
     assert!(through_driver::<Rgb565Be, _>(ST7789, upright, SQUARE, 7) == square, "ST7789, Be");
     assert!(through_driver::<Rgb565, _>(ILI9341Rgb565, turned, WIDE, 60) == wide, "ILI9341");
+    // As the README of `pico` has it for a panel on its side.
+    let turned = upright.rotate(Rotation::Deg90);
+    assert!(through_driver::<Rgb565, _>(ST7789, turned, WIDE, 40) == wide, "ST7789 on its side");
 }
 
 #[test]

@@ -141,6 +141,59 @@ fn a_display_that_is_sent_only_damage_shows_each_picture() {
     assert!(drawn_bands < 14 * 7 * 3 / 4, "{drawn_bands} bands were drawn");
 }
 
+#[test]
+fn replayed_meshes_are_tracked_as_drawn_ones_are() {
+    let camera = Camera::perspective(45.0.degrees(), 0.5);
+    let shader = Gouraud::lit(&[Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::WHITE)]);
+    let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
+    let mut random = Random(0x4E91);
+    let (mut seen, mut too_short) = (0, 0);
+    for case in 0..60 {
+        // Also beside the picture, and through the near plane.
+        let mut side = |low, high| random.range(low, high) as f32 / 10.0;
+        let model = Mat4::translation(Vec3::new(side(-40, 40), side(-30, 30), side(-80, 10)));
+        let room = random.range(0, 900) as usize;
+        let mut vertices = vec![ListVertex::default(); room];
+        let mut triangles = vec![ListTriangle::BLANK; room];
+        let (mut numbers, mut cache) = ([0; 48], VertexCache::<u16, 64>::new());
+        let list = DisplayList::new(&mut vertices, &mut triangles, &mut numbers);
+        let mut recording = pass.record(list, PICTURE, &model, &TEAPOT, &shader, &mut cache);
+        let rows = random.range(1, 48) as usize;
+        let [drawn, replayed, shared] = [0, 1, 2].map(|way| {
+            let (mut pixels, mut depth) = (vec![0; 64 * rows], vec![0; 64 * rows]);
+            let bands = Bands::<Rgb565>::new(&mut pixels, PICTURE).expect("rows fit");
+            let mut bands = bands.with_depth(&mut depth).expect("rows fit");
+            let mut damage = Damage::new(Size::new(0, 0));
+            for number in 0..bands.count() {
+                bands.draw_band(number, |frame| {
+                    frame.clear(Rgb::BLACK);
+                    let mut pass = pass.track_damage(&mut damage);
+                    match (way, &recording) {
+                        (1, _) => {
+                            pass.replay_or_draw(frame, &mut recording, &model, &TEAPOT, &shader);
+                        }
+                        (2, Ok(recording)) => {
+                            pass.replay_shared(frame, recording).expect("recorded for it");
+                        }
+                        _ => pass.draw(frame, &model, &TEAPOT, &shader),
+                    }
+                });
+            }
+            damage.next_picture()
+        });
+        assert_eq!((drawn, drawn), (replayed, shared), "case {case}");
+        match &recording {
+            Ok(recording) => {
+                let bounds = recording.bounds();
+                assert_eq!(bounds.union(drawn), bounds, "case {case}");
+            }
+            Err(_) => too_short += 1,
+        }
+        seen += u32::from(!drawn.is_empty());
+    }
+    assert!(seen > 20 && too_short > 5, "{seen} in sight, {too_short} in lists too short");
+}
+
 /// Puts a band where a display has it.
 fn show(band: &microraster::Band<'_, Rgb565>, display: &mut [u16]) {
     let area = band.area();

@@ -107,7 +107,11 @@ impl<'a, F: Format> Band<'a, F> {
         Size::new(self.area.width() as u16, self.area.height() as u16)
     }
 
-    /// Leaves only what lies in `area`, moved together so that there are no gaps.
+    /// Leaves only what lies in `area`, moved together so that there are no gaps. Where nothing is
+    /// left, the area is empty, and there is nothing to send.
+    ///
+    /// A scene that finds this buffer again finds pixels that were moved: it has to clear, or to draw
+    /// all, as if the buffer were another.
     ///
     /// # Cost
     /// Nothing where whole rows are left from the top; otherwise one copy of what is left.
@@ -238,6 +242,9 @@ impl<'a, F: Format, D> Bands<'a, F, D> {
     /// What a band held before is what the scene finds there, so it should clear first. A scissor
     /// that it sets is gone in the next band.
     ///
+    /// Where the buffer was [given away](Self::draw_double_buffered) and none came back, nothing is
+    /// sent, and that is no error.
+    ///
     /// # Errors
     /// The first that `send` gives; no further band is drawn then.
     pub fn draw<E>(
@@ -253,7 +260,8 @@ impl<'a, F: Format, D> Bands<'a, F, D> {
         Ok(())
     }
 
-    /// Draws one band, counted from the top, and lends it out; `None` beyond the last.
+    /// Draws one band, counted from the top, and lends it out; `None` beyond the last, and where the
+    /// buffer was [given away](Self::draw_double_buffered) and none came back.
     ///
     /// For whoever awaits a transfer, or draws only what changed.
     pub fn draw_band(
@@ -271,6 +279,7 @@ impl<'a, F: Format, D> Bands<'a, F, D> {
     ///
     /// That is the one that it took before, once its transfer is over: two buffers, of which the
     /// hardware has one and the scene the other. `send` begins with a spare one; three work as well.
+    /// What the scene finds in one is whatever it held: it should clear first.
     ///
     /// ```
     /// use microraster::{Band, Bands, FrameError, Rgb, Rgb565Be, Size};

@@ -20,7 +20,9 @@ use super::{Rect, Size};
 /// ```
 ///
 /// A [`Pass`](crate::Pass) that [tracks](crate::Pass::track_damage) it adds all that it draws. What
-/// is drawn otherwise, and a background that changes, is the program's to [`add`](Self::add).
+/// is drawn otherwise, and a background that changes, is the program's to [`add`](Self::add). A
+/// picture that was not sent to its end is none yet: [`next_picture`](Self::next_picture) waits until
+/// one was.
 ///
 /// ```
 /// use microraster::raster::ScreenVertex;
@@ -48,6 +50,11 @@ use super::{Rect, Size};
 /// assert!(sent < 768 + 9 * 100, "{sent}");
 /// # Ok::<(), microraster::FrameError>(())
 /// ```
+///
+/// # Units
+/// Pixels of the picture that frames are bands of. Where that is one of
+/// [samples](crate::Supersampling), so is what a pass tracks: what a display has to be sent is its
+/// sides over the factor, left and top rounded down, right and bottom up.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Damage {
@@ -64,7 +71,8 @@ impl Damage {
         Self { before: Rect::from_size(picture), now: NOTHING }
     }
 
-    /// Adds what was drawn in this picture; an empty rectangle adds nothing.
+    /// Adds what was drawn in this picture; an empty rectangle adds nothing. What lies beside the
+    /// picture is not cut off: [`Band::crop`](crate::Band::crop) does that.
     #[inline]
     pub fn add(&mut self, area: Rect) {
         self.now = self.now.union(area);

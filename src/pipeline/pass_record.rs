@@ -162,7 +162,8 @@ impl<S: State> Pass<'_, S> {
     /// ```
     ///
     /// # Errors
-    /// [`ListError::Full`] says what all of the mesh would take.
+    /// [`ListError::Full`] says what all of the mesh would take. The list is gone then: what was lent
+    /// to it for a picture can be lent anew, `static` memory cannot, so that it should be ample.
     ///
     /// # Cost
     /// 8 bytes a triangle, and 8 a vertex plus what its shader gives it: 12 in all for a colour. The

@@ -61,10 +61,12 @@ impl<D, C, T, O> ScreenPass<States<D, C, T, O>> {
     }
 
     /// Adds to `damage` where triangles, lines and points are drawn, also where they are hidden: what
-    /// of the picture a display has to be sent.
+    /// of the picture a display has to be sent. In a pass that also
+    /// counts, [`count`](Self::count) comes before this.
     ///
     /// # Cost
-    /// Some ten instructions a row of each primitive.
+    /// Some ten instructions a row of each primitive, or each run of pixels in which a varying is
+    /// interpolated between divisions.
     pub fn track_damage(self, damage: &mut Damage) -> ScreenPass<States<D, Tracking<'_, C>, T, O>> {
         self.map(|States { depth, counter, traversal, output }| States {
             depth,

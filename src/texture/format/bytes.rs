@@ -52,8 +52,10 @@ macro_rules! in_bytes {
 
 in_bytes! {
     LittleEndian, from_le_bytes,
-    /// Texels of a format of 16 bits in bytes, the low one first: as in BMP and TGA files, and in an
-    /// `ImageRaw` of `embedded-graphics` that is little-endian.
+    /// Texels of a format of 16 bits in bytes, the low one first: as in BMP files whose masks are
+    /// those of RGB565, and in an `ImageRaw` of `embedded-graphics` that is little-endian. TGA files of
+    /// 16 bits, and BMP files without masks, have five bits a channel from bit 0 up, which is none
+    /// of these formats.
     ///
     /// ```
     /// use microraster::texture::{LittleEndian, Sampler, Texture};
@@ -78,14 +80,16 @@ in_bytes! {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rgb888;
 
-/// Three bytes a texel, blue first: BMP and TGA files of 24 bits.
+/// Three bytes a texel, blue first: BMP and TGA files of 24 bits that are not compressed.
 ///
 /// The rows of such files mostly begin with the lowest one, so that `v` runs upwards; those of BMP
 /// files are without a gap where the width is a multiple of four.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bgr888;
 
-/// Four bytes a texel: blue, green, red, and alpha that is not multiplied in. TGA files of 32 bits.
+/// Four bytes a texel: blue, green, red, and alpha that is not multiplied in. TGA files of 32 bits that
+/// are not compressed. Most BMP files of 32 bits have the bytes, but 0 for alpha: nothing is seen of
+/// them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bgra8888;
 

@@ -38,10 +38,10 @@ impl Panel {
         reset.set_high();
         Timer::after_millis(120).await;
         let mut panel = Self { bus, select, data_or_command, _reset: reset };
-        panel.command(SLEEP_OUT, &[]).await?;
+        panel.command(SLEEP_OUT, &[])?;
         Timer::after_millis(120).await;
         for (command, data) in [ORIENTATION, FORMAT, (DISPLAY_ON, &[])] {
-            panel.command(command, data).await?;
+            panel.command(command, data)?;
         }
         Ok(panel)
     }
@@ -55,19 +55,28 @@ impl Panel {
     ) -> Result<(), Error> {
         for (command, first, behind) in [(COLUMNS, left, right), (ROWS, top, bottom)] {
             let ([a, b], [c, d]) = (first.to_be_bytes(), (behind - 1).to_be_bytes());
-            self.command(command, &[a, b, c, d]).await?;
+            self.command(command, &[a, b, c, d])?;
         }
-        self.command(PIXELS, pixels).await
-    }
-
-    /// Sends a command and its data.
-    async fn command(&mut self, command: u8, data: &[u8]) -> Result<(), Error> {
         self.select.set_low();
         self.data_or_command.set_low();
-        let mut sent = self.bus.write(&[command]).await;
+        let mut sent = self.bus.blocking_write(&[PIXELS]);
+        if sent.is_ok() {
+            self.data_or_command.set_high();
+            sent = self.bus.write(pixels).await;
+        }
+        self.select.set_high();
+        sent
+    }
+
+    /// Sends a command and its data, and waits: it is over in a microsecond. Were it awaited, the
+    /// other task would draw a whole band before the next byte.
+    fn command(&mut self, command: u8, data: &[u8]) -> Result<(), Error> {
+        self.select.set_low();
+        self.data_or_command.set_low();
+        let mut sent = self.bus.blocking_write(&[command]);
         if sent.is_ok() && !data.is_empty() {
             self.data_or_command.set_high();
-            sent = self.bus.write(data).await;
+            sent = self.bus.blocking_write(data);
         }
         self.select.set_high();
         sent

@@ -9,6 +9,7 @@ extern crate alloc;
 #[allow(dead_code, reason = "other firmware uses more of a board")]
 mod board;
 #[path = "../../src/renderers/mod.rs"]
+#[allow(dead_code, reason = "the host's program uses more of a renderer")]
 mod renderers;
 #[path = "../../src/scene.rs"]
 mod scene;

@@ -29,7 +29,7 @@ const WIDE: Size = Size::new(320, 240);
 
 /// The square display sees less to the sides, from further away.
 fn camera(picture: Size) -> Camera {
-    let eye = if picture == SQUARE { Vec3::new(0.0, 3.0, 7.0) } else { Vec3::new(0.0, 2.4, 5.4) };
+    let eye = if picture == SQUARE { Vec3::new(0.0, 3.8, 8.8) } else { Vec3::new(0.0, 3.0, 7.0) };
     Camera::perspective(45.0.degrees(), 0.5).look_at(eye, Vec3::ZERO, Vec3::Y)
 }
 
@@ -247,4 +247,32 @@ fn the_list_of_two_cores_holds_what_is_seen_at_every_turn() {
         most = (list.vertices().max(most.0), list.triangles().max(most.1));
     }
     assert!(most.0 > 300 && most.1 > 400, "{most:?} is no teapot");
+}
+
+#[test]
+fn all_of_the_teapot_is_seen_all_of_the_turn() {
+    for picture in [SQUARE, WIDE] {
+        let (width, height) = (usize::from(picture.width), usize::from(picture.height));
+        let (mut pixels, mut depth) = (vec![0; width * height], vec![0; width * height]);
+        let camera = camera(picture);
+        for step in 0..72u8 {
+            let frame = microraster::Frame::<Rgb565>::new(&mut pixels, picture);
+            let frame = frame.and_then(|frame| frame.with_depth(&mut depth));
+            let mut frame = frame.expect("buffers of the picture's size");
+            frame.clear(Rgb::BLACK);
+            let turned = Mat4::rotation_y((f32::from(step) * 5.0).degrees());
+            let shader = Gouraud::lit(&[sun()]);
+            Pass::new(&camera)
+                .cull(Cull::Back)
+                .depth(Less)
+                .draw(&mut frame, &turned, &TEAPOT, &shader);
+            let at_border = |i: usize| {
+                let (x, y) = (i % width, i / width);
+                x == 0 || y == 0 || x + 1 == width || y + 1 == height
+            };
+            let cut = depth.iter().enumerate().filter(|(i, code)| at_border(*i) && **code > 0);
+            assert_eq!(cut.count(), 0, "{picture:?} at {} degrees", u32::from(step) * 5);
+            assert!(depth.iter().any(|code| *code > 0), "there is a teapot");
+        }
+    }
 }

@@ -65,7 +65,7 @@ fn main() -> ! {
         .and_then(|bands| bands.with_depth(DEPTH.take()))
         .expect("a row fits");
     let camera = Camera::perspective(45.0.degrees(), 0.5).look_at(
-        Vec3::new(0.0, 2.4, 5.4),
+        Vec3::new(0.0, 3.0, 7.0),
         Vec3::ZERO,
         Vec3::Y,
     );

@@ -167,7 +167,7 @@ fn main() -> ! {
 }
 
 fn camera() -> Camera {
-    Camera::perspective(45.0.degrees(), 0.5).look_at(Vec3::new(0.0, 3.0, 7.0), Vec3::ZERO, Vec3::Y)
+    Camera::perspective(45.0.degrees(), 0.5).look_at(Vec3::new(0.0, 3.8, 8.8), Vec3::ZERO, Vec3::Y)
 }
 
 /// Draws and sends bands until all are taken.

@@ -110,7 +110,7 @@ async fn send(mut panel: Panel, mut full: Receiver<'static, NoopRawMutex, Band>)
 async fn draw(mut empty: Sender<'static, NoopRawMutex, Band>) -> ! {
     let depth = DEPTH.take();
     let camera = Camera::perspective(45.0.degrees(), 0.5).look_at(
-        Vec3::new(0.0, 2.4, 5.4),
+        Vec3::new(0.0, 3.0, 7.0),
         Vec3::ZERO,
         Vec3::Y,
     );

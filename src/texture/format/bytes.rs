@@ -93,55 +93,33 @@ pub struct Bgr888;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bgra8888;
 
-impl TexelFormat for Rgb888 {
-    type Word = [u8; 3];
-    type Palette = ();
-    type Texel = [u8; 3];
+/// Texels that are so many bytes, and the colour of each.
+macro_rules! channels_in_bytes {
+    ($($name:ident, $bytes:literal, |$texel:pat_param| $color:expr;)*) => {
+        $(impl TexelFormat for $name {
+            type Word = [u8; $bytes];
+            type Palette = ();
+            type Texel = [u8; $bytes];
 
-    #[inline(always)]
-    fn fetch(words: &[[u8; 3]], (): &(), index: usize) -> Option<[u8; 3]> {
-        words.get(index).copied()
-    }
+            #[inline(always)]
+            fn fetch(words: &[[u8; $bytes]], (): &(), index: usize) -> Option<[u8; $bytes]> {
+                words.get(index).copied()
+            }
 
-    #[inline(always)]
-    fn decode([red, green, blue]: [u8; 3]) -> Color {
-        Color::new(red, green, blue)
-    }
+            #[inline(always)]
+            fn decode($texel: [u8; $bytes]) -> Color {
+                $color
+            }
+        }
+
+        impl PaletteEntry for $name {})*
+    };
 }
 
-impl TexelFormat for Bgr888 {
-    type Word = [u8; 3];
-    type Palette = ();
-    type Texel = [u8; 3];
-
-    #[inline(always)]
-    fn fetch(words: &[[u8; 3]], (): &(), index: usize) -> Option<[u8; 3]> {
-        words.get(index).copied()
-    }
-
-    #[inline(always)]
-    fn decode([blue, green, red]: [u8; 3]) -> Color {
-        Color::new(red, green, blue)
-    }
+channels_in_bytes! {
+    Rgb888, 3, |[red, green, blue]| Color::new(red, green, blue);
+    Bgr888, 3, |[blue, green, red]| Color::new(red, green, blue);
+    Bgra8888, 4, |[blue, green, red, alpha]| {
+        with_alpha(red.into(), green.into(), blue.into(), alpha.into())
+    };
 }
-
-impl TexelFormat for Bgra8888 {
-    type Word = [u8; 4];
-    type Palette = ();
-    type Texel = [u8; 4];
-
-    #[inline(always)]
-    fn fetch(words: &[[u8; 4]], (): &(), index: usize) -> Option<[u8; 4]> {
-        words.get(index).copied()
-    }
-
-    #[inline(always)]
-    fn decode(texel: [u8; 4]) -> Color {
-        let [blue, green, red, alpha] = texel.map(u32::from);
-        with_alpha(red, green, blue, alpha)
-    }
-}
-
-impl PaletteEntry for Rgb888 {}
-impl PaletteEntry for Bgr888 {}
-impl PaletteEntry for Bgra8888 {}

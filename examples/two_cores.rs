@@ -52,7 +52,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut cache = VertexCache::<u16, 512>::new();
     let list = DisplayList::new(&mut vertices, &mut triangles, &mut []);
     let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
-    let recording = pass.record(list, PICTURE, &turned, &TEAPOT, &shader, &mut cache)?;
+    let recording = pass.record(list, PICTURE, &turned, &TEAPOT, &shader, &mut cache);
+    recording.check()?;
 
     // Both draw; what arrives is put together here, by the row that a band begins with.
     let drawn = std::thread::scope(|scope| {

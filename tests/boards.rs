@@ -243,7 +243,8 @@ fn the_list_of_two_cores_holds_what_is_seen_at_every_turn() {
             &shader,
             &mut cache,
         );
-        list = recording.expect("room").into_list();
+        assert_eq!(recording.check(), Ok(()), "room at {step}");
+        list = recording.into_list();
         most = (list.vertices().max(most.0), list.triangles().max(most.1));
     }
     assert!(most.0 > 300 && most.1 > 400, "{most:?} is no teapot");

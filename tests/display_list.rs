@@ -109,23 +109,27 @@ impl Draw {
         let mut cache = VertexCache::<u16, 8>::new();
         let mut recording =
             pass.count(&mut recorded).record(list, self.size, &model, mesh, shader, &mut cache);
-        let said = recording.as_ref().map_err(|error| *error);
-        let said = said.map(|recording| (recording.vertices(), recording.triangles()));
+        let said = recording.check().map(|()| (recording.vertices(), recording.triangles()));
         let banded = self.in_bands(self.rows, |frame| {
             frame.clear(background);
             frame.clear_depth(code);
             let mut pass = pass;
             pass.replay_or_draw(frame, &mut recording, &model, mesh, shader);
         });
-        if let Ok(recording) = &recording {
-            let shared = self.in_bands(self.rows, |frame| {
+        let shared = self.in_bands(self.rows, |frame| {
+            frame.clear(background);
+            frame.clear_depth(code);
+            let mut pass = pass;
+            assert_eq!(pass.replay_shared(frame, &recording), recording.check(), "{self:?}");
+        });
+        let nothing = || {
+            self.in_bands(self.rows, |frame| {
                 frame.clear(background);
                 frame.clear_depth(code);
-                let mut pass = pass;
-                assert_eq!(pass.replay_shared(frame, recording), Ok(()), "{self:?}");
-            });
-            assert!(shared == whole, "shared: {self:?}");
-        }
+            })
+        };
+        let expected = if said.is_ok() { whole.clone() } else { nothing() };
+        assert!(shared == expected, "shared: {self:?}");
         assert_eq!(recorded.triangles, drawn.triangles, "each once: {self:?}");
         assert_eq!(recorded.culled, drawn.culled, "{self:?}");
         assert_eq!(recorded.clipped, drawn.clipped, "{self:?}");
@@ -302,6 +306,29 @@ fn a_list_that_is_too_short_is_an_error_with_what_it_takes_and_never_a_wrong_pic
     assert!(full > 200, "{full} lists are too few");
 }
 
+#[test]
+fn what_was_too_short_comes_back_and_serves_a_smaller_mesh() {
+    let (mut vertices, mut triangles) = ([ListVertex::default(); 20], [ListTriangle::BLANK; 20]);
+    let list = DisplayList::new(&mut vertices, &mut triangles, &mut []);
+    let (picture, camera) = (Size::new(64, 48), Camera::perspective(45.0.degrees(), 0.5));
+    let away = Mat4::translation(Vec3::new(0.0, 0.0, -5.0));
+    let shader = Gouraud::lit(&[Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::WHITE)]);
+    let (mut pass, mut cache) = (Pass::new(&camera), VertexCache::<u16, 64>::new());
+
+    let recording = pass.record(list, picture, &away, &TEAPOT, &shader, &mut cache);
+    let needed = (recording.vertices(), recording.triangles());
+    assert!(needed.0 > 400 && needed.1 > 400, "{needed:?} is no teapot");
+    let error = Err(ListError::Full { vertices: needed.0, triangles: needed.1 });
+    assert_eq!(recording.check(), error, "twenty are too few");
+    assert_eq!(recording.bounds(), Rect::from_size(picture), "anywhere in the picture");
+
+    let normals = [[0, 0, 127]; 3];
+    let mesh = Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], &normals);
+    let list = recording.into_list();
+    let recording = pass.record(list, picture, &away, &mesh, &shader, &mut cache);
+    assert_eq!((recording.check(), recording.triangles()), (Ok(()), 1), "room for one");
+}
+
 /// The teapot, recorded for a picture of 64x48 pixels.
 fn teapot<R>(numbers: usize, then: impl FnOnce(&mut dyn FnMut(u16, u16, Size) -> Band) -> R) -> R {
     let (picture, model) = (Size::new(64, 48), Mat4::rotation_y(25.0.degrees()));
@@ -316,8 +343,7 @@ fn teapot<R>(numbers: usize, then: impl FnOnce(&mut dyn FnMut(u16, u16, Size) ->
     let (mut numbers, mut cache) = (vec![0; numbers], VertexCache::<u16, 1024>::new());
     let list = DisplayList::new(&mut vertices, &mut triangles, &mut numbers);
     let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
-    let recording = pass.record(list, picture, &model, &TEAPOT, &shader, &mut cache);
-    let mut recording = recording.expect("room for the teapot");
+    let mut recording = pass.record(list, picture, &model, &TEAPOT, &shader, &mut cache);
     let mut draw = |first: u16, rows: u16, picture: Size| {
         let both = [(); 2].map(|()| vec![0; 64 * usize::from(rows)]);
         let [(mut pixels, mut codes), (mut again, mut again_codes)] =
@@ -418,9 +444,11 @@ fn meshes_one_after_the_other_share_the_memory_of_a_list() {
         let (mut ring, mut other_ring) = ([0; 12], [0; 12]);
         let mut cache = VertexCache::<u16, 512>::new();
         let list = DisplayList::new(&mut vertices, &mut triangles, &mut ring);
-        let mut first = pass.record(list, PICTURE, &models[0], &TEAPOT, &smooth, &mut cache)?;
+        let mut first = pass.record(list, PICTURE, &models[0], &TEAPOT, &smooth, &mut cache);
+        first.check()?;
         let rest = first.take_rest(&mut other_ring);
-        let mut second = pass.record(rest, PICTURE, &models[1], &TEAPOT, &flat, &mut cache)?;
+        let mut second = pass.record(rest, PICTURE, &models[1], &TEAPOT, &flat, &mut cache);
+        second.check()?;
         let used = (first.vertices() + second.vertices(), first.triangles() + second.triangles());
         let (mut pixels, mut depth) = ([0; 80 * 5], [0; 80 * 5]);
         let bands = Bands::<Rgb565>::new(&mut pixels, PICTURE).expect("rows fit");
@@ -471,8 +499,7 @@ fn a_list_that_is_given_back_serves_the_next_picture() {
         (75.0, 64, 48, 48, 1),
     ] {
         let (picture, model) = (Size::new(width, height), Mat4::rotation_y(turn.degrees()));
-        let recording = pass.record(list, picture, &model, &TEAPOT, &shader, &mut cache);
-        let mut recording = recording.expect("room for the teapot");
+        let mut recording = pass.record(list, picture, &model, &TEAPOT, &shader, &mut cache);
         let band = usize::from(picture.width) * usize::from(rows);
         let [mut pixels, mut codes, mut again, mut again_codes] = [(); 4].map(|()| vec![0; band]);
         let bands = Bands::<Rgb565>::new(&mut pixels, picture);

@@ -99,7 +99,7 @@ impl Picture<'_> {
             let list = DisplayList::new(vertices, triangles, bands);
             let mut pass = pass;
             recording =
-                probe.measure(|| pass.record(list, SIZE, &model, &mesh, &shader, places)).ok();
+                Some(probe.measure(|| pass.record(list, SIZE, &model, &mesh, &shader, places)));
         }
         let width = usize::from(SIZE.width);
         // Each band lies where the picture has it, so that sending it costs nothing here.
@@ -125,7 +125,6 @@ impl Picture<'_> {
                 Some(recording) => {
                     let _ = probe.measure(|| pass.replay(&mut frame, recording));
                 }
-                None if recorded => {}
                 None => probe.measure(|| {
                     pass.draw_cached(&mut frame, &model, &mesh, &shader, cache);
                 }),

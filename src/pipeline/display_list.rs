@@ -190,12 +190,12 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         }
     }
 
-    /// Vertices that were recorded.
+    /// Vertices that were recorded, or would have been where there was no room.
     pub fn vertices(&self) -> u32 {
         self.vertex_count
     }
 
-    /// Triangles that were recorded.
+    /// Triangles that were recorded, or would have been.
     pub fn triangles(&self) -> u32 {
         self.triangle_count
     }
@@ -229,8 +229,8 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         (self.picture, self.rows) = (picture, 0);
     }
 
-    /// What was recorded, if all of it found room.
-    pub(super) fn finish(&self) -> Result<(), ListError> {
+    /// Whether all that was recorded found room.
+    pub(super) fn check_room(&self) -> Result<(), ListError> {
         let (vertices, triangles) = (self.vertex_count, self.triangle_count);
         let fits = |count: u32, room: usize| count as usize <= room;
         if fits(vertices, self.vertices.len()) && fits(triangles, self.triangles.len()) {

@@ -43,23 +43,36 @@ impl<'a, H: Shader> Recording<'a, H> {
         self.list.take_rest(bands)
     }
 
-    /// Vertices in the list.
+    /// Whether all of the mesh found room in the list. Where it did not, nothing is replayed, and the
+    /// memory is still there: [`into_list`](Self::into_list).
+    ///
+    /// # Errors
+    /// [`ListError::Full`] says what all of the mesh would take.
+    pub fn check(&self) -> Result<(), ListError> {
+        self.list.check_room()
+    }
+
+    /// Vertices that the mesh takes in the list.
     pub fn vertices(&self) -> u32 {
         self.list.vertices()
     }
 
-    /// Triangles in the list, pieces of clipped ones each for itself.
+    /// Triangles that the mesh takes in the list, pieces of clipped ones each for itself.
     pub fn triangles(&self) -> u32 {
         self.list.triangles()
     }
 
     /// The pixels that may be drawn, as one rectangle: what is to be added to a
-    /// [`Damage`](crate::Damage) before anything is drawn, so that bands beside it need not be.
+    /// [`Damage`](crate::Damage) before anything is drawn, so that bands beside it need not be. Where
+    /// the list was too short, all that the pass draws to.
     ///
     /// # Cost
     /// A look at each vertex.
     pub fn bounds(&self) -> Rect {
-        self.list.bounds().intersection(self.area)
+        match self.check() {
+            Ok(()) => self.list.bounds().intersection(self.area),
+            Err(_) => self.area,
+        }
     }
 
     /// Gives the list back, for the next picture: what outlives a picture, such as a list in
@@ -80,8 +93,9 @@ impl<'a, H: Shader> Recording<'a, H> {
     /// let (mut pass, mut cache) = (Pass::new(&camera), VertexCache::<u16, 64>::new());
     /// for distance in 4..6 {
     ///     let (model, size) = (Mat4::translation(Vec3::new(0.0, 0.0, -distance as f32)), Size::new(64, 48));
-    ///     let recording = pass.record(list, size, &model, &TEAPOT, &shader, &mut cache)?;
+    ///     let recording = pass.record(list, size, &model, &TEAPOT, &shader, &mut cache);
     ///     // Here is the place to replay it, in each band.
+    ///     # recording.check()?;
     ///     list = recording.into_list();
     /// }
     /// # Ok::<(), microraster::ListError>(())
@@ -148,7 +162,7 @@ impl<S: State> Pass<'_, S> {
     /// let list = DisplayList::new(&mut vertices, &mut triangles, &mut numbers);
     /// let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
     /// let mut recording = pass.record(list, picture, &model, &TEAPOT, &shader, &mut cache);
-    /// # assert!(recording.is_ok(), "{recording:?}");
+    /// # assert!(recording.check().is_ok(), "{recording:?}");
     /// let sent = bands.draw::<()>(
     ///     |frame| {
     ///         frame.clear(Rgb::BLACK);
@@ -161,9 +175,7 @@ impl<S: State> Pass<'_, S> {
     /// # Ok::<(), microraster::FrameError>(())
     /// ```
     ///
-    /// # Errors
-    /// [`ListError::Full`] says what all of the mesh would take. The list is gone then: what was lent
-    /// to it for a picture can be lent anew, `static` memory cannot, so that it should be ample.
+    /// A list that is too short is an error when it is [checked](Recording::check) or replayed.
     ///
     /// # Cost
     /// 8 bytes a triangle, and 8 a vertex plus what its shader gives it: 12 in all for a colour. The
@@ -177,7 +189,7 @@ impl<S: State> Pass<'_, S> {
         mesh: &Mesh<'_, H::Vertex, T>,
         shader: &'a H,
         cache: &mut VertexCache<u16, N>,
-    ) -> Result<Recording<'a, H>, ListError>
+    ) -> Recording<'a, H>
     where
         H: Shader,
         T: Topology<Primitive = [u32; 3]>,
@@ -191,7 +203,7 @@ impl<S: State> Pass<'_, S> {
                 self.state.counter().event(Event::Triangle);
                 self.state.counter().event(Event::Skipped);
             }
-            return Ok(Recording { list, shader, prepared: None, area: Rect::default() });
+            return Recording { list, shader, prepared: None, area: Rect::default() };
         };
         let (cursor, fan) = (T::Cursor::default(), Fan::default());
         let assembly = Assembly { topology: mesh.topology, cursor, mapping, area, culled, fan };
@@ -203,8 +215,7 @@ impl<S: State> Pass<'_, S> {
             let positions = MeshPositions { transform: &transform, positions: vertices.positions };
             draw.record(&positions, assembly, counter, cache.start(), &mut list);
         }
-        list.finish()?;
-        Ok(Recording { list, shader, prepared: Some(prepared), area })
+        Recording { list, shader, prepared: Some(prepared), area }
     }
 
     /// Draws what was recorded into a band, with the state of this pass: the same bits as drawing
@@ -214,8 +225,8 @@ impl<S: State> Pass<'_, S> {
     /// any other order costs another look at all triangles.
     ///
     /// # Errors
-    /// The list has no room for the number of bands, or the frame is of another picture; then
-    /// nothing is drawn.
+    /// The list was too short for the mesh or has no room for the number of bands, or the frame is of
+    /// another picture; then nothing is drawn.
     pub fn replay<H, F, D>(
         &mut self,
         frame: &mut Frame<'_, F, D>,
@@ -228,6 +239,7 @@ impl<S: State> Pass<'_, S> {
     {
         let Recording { list, shader, prepared, area } = recording;
         let Some(prepared) = prepared else { return Ok(()) };
+        list.check_room()?;
         let bound = Bound { shader: *shader, prepared };
         let rows = frame.size().height;
         let mut band = list.band(frame.picture(), frame.first_row(), rows)?;
@@ -261,7 +273,7 @@ impl<S: State> Pass<'_, S> {
     /// let list = DisplayList::new(&mut vertices, &mut triangles, &mut []);
     /// let mut cache = VertexCache::<u16, 64>::new();
     /// let mut pass = Pass::new(&camera).depth(Less);
-    /// let recording = pass.record(list, picture, &model, &TEAPOT, &shader, &mut cache)?;
+    /// let recording = pass.record(list, picture, &model, &TEAPOT, &shader, &mut cache);
     /// let halves = [0, 24].map(|first_row| (first_row, &recording));
     /// std::thread::scope(|scope| {
     ///     for (first_row, recording) in halves {
@@ -277,7 +289,6 @@ impl<S: State> Pass<'_, S> {
     ///         });
     ///     }
     /// });
-    /// # Ok::<(), microraster::ListError>(())
     /// ```
     ///
     /// # Cost
@@ -285,8 +296,8 @@ impl<S: State> Pass<'_, S> {
     /// needs no numbers of bands.
     ///
     /// # Errors
-    /// The frame is of another picture; then nothing is drawn. A mesh of which nothing can be drawn
-    /// is no error in any picture.
+    /// The list was too short for the mesh, or the frame is of another picture; then nothing is drawn.
+    /// A mesh of which nothing can be drawn is no error in any picture.
     pub fn replay_shared<H, F, D>(
         &mut self,
         frame: &mut Frame<'_, F, D>,
@@ -299,8 +310,9 @@ impl<S: State> Pass<'_, S> {
     {
         let Recording { list, shader, prepared, area } = recording;
         let Some(prepared) = prepared else { return Ok(()) };
-        let bound = Bound { shader: *shader, prepared };
+        list.check_room()?;
         list.check(frame.picture())?;
+        let bound = Bound { shader: *shader, prepared };
         let mut replay = Replay::new(frame, &mut self.state, *area);
         let Rect { top, bottom, .. } = replay.area;
         for number in list.numbers_within(top, bottom) {
@@ -316,7 +328,7 @@ impl<S: State> Pass<'_, S> {
     pub fn replay_or_draw<H, F, D, T>(
         &mut self,
         frame: &mut Frame<'_, F, D>,
-        recording: &mut Result<Recording<'_, H>, ListError>,
+        recording: &mut Recording<'_, H>,
         model: &Mat4,
         mesh: &Mesh<'_, H::Vertex, T>,
         shader: &H,
@@ -326,11 +338,7 @@ impl<S: State> Pass<'_, S> {
         D: Supplies<Access<S>>,
         T: Topology<Primitive = [u32; 3]>,
     {
-        let replayed = match recording {
-            Ok(recording) => self.replay(frame, recording).is_ok(),
-            Err(_) => false,
-        };
-        if !replayed {
+        if self.replay(frame, recording).is_err() {
             self.draw(frame, model, mesh, shader);
         }
     }

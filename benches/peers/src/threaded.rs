@@ -86,7 +86,7 @@ fn recorded<'a, H>(
     size: microraster::Size,
     model: &Mat4,
     shader: &'a H,
-) -> Option<Recording<'a, H>>
+) -> Recording<'a, H>
 where
     H: Shader<Vertex = Normal>,
     H::Varying: Varying<Corner = Color>,
@@ -94,7 +94,7 @@ where
     let list = DisplayList::new(vertices, triangles, &mut []);
     let camera = Drawing::camera();
     let mut pass = Pass::new(&camera).cull(Cull::Back).depth(Less);
-    pass.record(list, size, model, mesh, shader, cache).ok()
+    pass.record(list, size, model, mesh, shader, cache)
 }
 
 /// Records a lit mesh in parts, and draws each band from all of them in their order.
@@ -116,10 +116,10 @@ where
         let mut work = recordings.iter_mut().zip(parts).zip(meshes);
         let first = work.next();
         for ((place, part), mesh) in work {
-            scope.spawn(move |_| *place = recorded(part, &mesh, size, model, shader));
+            scope.spawn(move |_| *place = Some(recorded(part, &mesh, size, model, shader)));
         }
         if let Some(((place, part), mesh)) = first {
-            *place = recorded(part, &mesh, size, model, shader);
+            *place = Some(recorded(part, &mesh, size, model, shader));
         }
     });
     if let Ok(bands) = ParallelBands::<Rgb565>::new(pixels, depth, size) {

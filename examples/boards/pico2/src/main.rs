@@ -151,8 +151,7 @@ fn main() -> ! {
         let turned = Mat4::rotation_y(((start / 1000 % 7200) as f32 / 20.0).degrees());
         let teapot = Pass::new(&camera())
             .cull(Cull::Back)
-            .record(list, PICTURE, &turned, &TEAPOT, shader, &mut cache)
-            .expect("the list holds what is seen of a teapot");
+            .record(list, PICTURE, &turned, &TEAPOT, shader, &mut cache);
         *SCENE.write() = Some(Scene { teapot, text });
         NEXT.store(0, Ordering::Release);
         draw_bands(mine, display);
@@ -187,7 +186,7 @@ fn draw_bands(buffers: &mut Buffers, display: &Mutex<Panel>) {
         Pass::new(&camera)
             .depth(Less)
             .replay_shared(&mut frame, teapot)
-            .expect("it was recorded for this picture");
+            .expect("a list that holds what is seen of a teapot, in this picture");
         let white = MonoTextStyle::new(&FONT_10X20, pixelcolor::Rgb565::WHITE);
         let Ok(_) = Text::new(text, Point::new(8, 20), white).draw(&mut frame);
         drop(scene);

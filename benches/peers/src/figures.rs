@@ -39,11 +39,13 @@ pub(crate) fn write(page: &Path, all: &[(Size, Vec<Comparison>)]) -> anyhow::Res
 pub(crate) fn write_threads(
     page: &Path,
     cores: usize,
-    rows: &[(Size, &str, f64)],
+    rows: &[(Size, &str, [f64; 2])],
 ) -> anyhow::Result<()> {
-    let mut table = format!("| | at | {cores} threads |\n| --- | ---: | ---: |\n");
-    for (size, scene, gain) in rows {
-        table += &format!("| {scene} | {}x{} | {gain:.2} |\n", size.width, size.height);
+    let mut table = format!("| | at | {cores} threads | {cores} pictures at once |\n");
+    table += "| --- | ---: | ---: | ---: |\n";
+    for (size, scene, [gain, at_most]) in rows {
+        let Size { width, height } = size;
+        table += &format!("| {scene} | {width}x{height} | {gain:.2} | {at_most:.2} |\n");
     }
     replace(page, "threads", &table)
 }

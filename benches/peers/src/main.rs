@@ -76,11 +76,12 @@ fn threads(arguments: &Arguments, bunny: Option<&Mesh>) -> anyhow::Result<()> {
         for scene in scene::scenes(size, bunny) {
             if arguments.wants(&scene) {
                 let gain = measure::threads(&scene, size, cores, arguments.rounds)?;
+                let at_most = measure::at_once(&scene, size, cores, arguments.rounds)?;
                 println!(
-                    "{}x{} {} by {cores} threads: x{gain:.2}",
+                    "{}x{} {} by {cores} threads: x{gain:.2}, pictures of their own: x{at_most:.2}",
                     size.width, size.height, scene.name
                 );
-                rows.push((size, scene.name, gain));
+                rows.push((size, scene.name, [gain, at_most]));
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Time and pictures of one scene, renderer after renderer, round after round.
 
 use std::path::Path;
+use std::sync::Barrier;
 use std::time::{Duration, Instant};
 
 use anyhow::Context;
@@ -71,6 +72,43 @@ pub(crate) fn threads(
     }
     anyhow::ensure!(one.picture() == all.picture(), "{}: pictures differ", scene.name);
     Ok(least[0].as_secs_f64() / least[1].as_secs_f64())
+}
+
+/// A round is at least this long where threads draw pictures of their own, so that it does not matter
+/// that one begins a little later.
+const LONG: Duration = Duration::from_millis(10);
+
+/// How many times as many pictures so many threads draw as one does, each its own, in the same time:
+/// what the machine's cores are worth to each other, and what several threads can gain at most.
+pub(crate) fn at_once(
+    scene: &Scene,
+    size: Size,
+    threads: usize,
+    rounds: usize,
+) -> anyhow::Result<f64> {
+    let mut one = RENDERERS[0].1(scene, size).context("this crate draws all scenes")?;
+    let frames = scene.frames();
+    let first = round(one.as_mut(), frames).max(Duration::from_nanos(1));
+    let times = (LONG.as_nanos() / first.as_nanos()).clamp(1, 10_000);
+    let mut long_round = move || (0..times).map(|_| round(one.as_mut(), frames)).sum::<Duration>();
+    let alone = (0..rounds).map(|_| long_round()).min().unwrap_or_default();
+    let barrier = Barrier::new(threads);
+    let work = || {
+        let mut mine = RENDERERS[0].1(scene, size).context("this crate draws all scenes")?;
+        let long_round = |_| {
+            barrier.wait();
+            (0..times).map(|_| round(mine.as_mut(), frames)).sum::<Duration>()
+        };
+        anyhow::Ok((0..rounds).map(long_round).collect::<Vec<_>>())
+    };
+    let theirs = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        let joined = workers.into_iter().map(|worker| worker.join().expect("a thread stopped"));
+        joined.collect::<anyhow::Result<Vec<_>>>()
+    })?;
+    let slowest = |round: usize| theirs.iter().map(|times| times[round]).max().unwrap_or_default();
+    let together = (0..rounds).map(slowest).min().unwrap_or_default();
+    Ok(threads as f64 * alone.as_secs_f64() / together.as_secs_f64())
 }
 
 /// The time to draw all frames; clears excluded.

@@ -1,3 +1,4 @@
+use super::few::{may_be_few, take_few};
 use super::{Spans, Triangle};
 use crate::frame::Rect;
 
@@ -117,6 +118,10 @@ impl Traversal for Scanline {
 
     #[inline(always)]
     fn start(&self, walk: &mut Spans, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
+        // Asked here, where the answer of other triangles costs nothing but the question.
+        if may_be_few(triangle) && take_few(triangle, area, batch) {
+            return;
+        }
         walk.start(triangle, area, batch);
     }
 }

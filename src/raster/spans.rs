@@ -1,17 +1,15 @@
-use super::few::take_few;
 use super::short_edge::{ShortEdge, TALLEST, WIDEST};
 use super::{Edge, LongEdge, Point, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
-use crate::math::BY_HALVES;
 
 /// A triangle walked row by row: each row's first and last covered pixel by an exact integer walk
 /// along the edges, so that no pixel is tested.
 ///
 /// # Cost
 /// On Cortex-M4 8 instructions a row of a short triangle and 9 more where it holds a pixel, after
-/// some 180 to start; one division an edge, by a table where the core has none. There, triangles of
-/// two by two pixels at most do without, by edge functions. Not generic, so that one copy serves
-/// every shader, state and format.
+/// some 180 to start; one division an edge, by a table where the core has none. Small triangles whose
+/// box holds two by two centres at most do without, by edge functions, for some 145. Not generic, so
+/// that one copy serves every shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans {
     left: LongEdge,
@@ -76,12 +74,6 @@ impl Spans {
     #[inline(never)]
     pub fn start(&mut self, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
         batch.clear();
-        // Where there are more registers, the walk costs no more than this.
-        if BY_HALVES && take_few(triangle, area, batch) {
-            return;
-        }
-        // Opaque: nothing that the question looked at is kept.
-        let triangle = if BY_HALVES { core::hint::black_box(triangle) } else { triangle };
         // Clockwise from the highest corner: the next one is on its right side.
         let [a, b, c] = triangle.v.each_ref().map(Point::of);
         let (high, right, left) = if a.y <= b.y && a.y <= c.y {

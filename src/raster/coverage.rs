@@ -36,11 +36,23 @@ pub trait SpanWalk {
 
 /// A few spans of one triangle: taken together, they cost half of what they do one by one, since
 /// the walk's state stays in registers.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct SpanBatch {
     pub(super) spans: [Span; Self::CAPACITY],
     pub(super) length: usize,
     pub(super) last: bool,
+}
+
+impl Default for SpanBatch {
+    /// Without spans. One copy for all that draws, which is short: a call to `memset` takes four
+    /// instructions a word.
+    #[inline(never)]
+    fn default() -> Self {
+        // Opaque: the compiler would call `memset` all the same.
+        let zero = core::hint::black_box(0);
+        let span = Span { y: zero, first: zero, left: zero, right: zero, behind: zero };
+        Self { spans: [span; Self::CAPACITY], length: 0, last: false }
+    }
 }
 
 impl SpanBatch {

@@ -34,9 +34,10 @@ impl<F: Format, A: DepthAccess> Window<'_, F, A> {
         left: i32,
         right: i32,
     ) -> Option<(&mut [F::Raw], A::Cells<'_>)> {
-        let row = (y as usize).wrapping_mul(self.stride).wrapping_sub(self.before);
-        let at = row.wrapping_add(left as usize);
         let length = right.wrapping_sub(left) as usize;
+        let at = (left as usize)
+            .wrapping_sub(self.before)
+            .wrapping_add((y as usize).wrapping_mul(self.stride));
         // Two steps: a range would have its order checked besides its end.
         let pixels = self.pixels.get_mut(at..)?.get_mut(..length)?;
         Some((pixels, A::part(&mut self.cells, at, length)?))

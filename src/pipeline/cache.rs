@@ -58,7 +58,9 @@ impl<C: Copy, const N: usize> VertexCache<C, N> {
     const POWER_OF_TWO: () = assert!(N.is_power_of_two(), "the capacity must be a power of two");
 
     /// An empty cache for a `static`: `blank` is any value, to fill the memory with.
-    #[inline]
+    ///
+    /// Not inlined: of two in one function, the compiler would copy one from the other.
+    #[inline(never)]
     pub const fn with_blank(blank: C) -> Self {
         let () = Self::POWER_OF_TWO;
         // All zeros, so that a `static` takes no flash: `start` is what empties a slot.

@@ -35,12 +35,29 @@ impl<F: Format, A: DepthAccess> Window<'_, F, A> {
         right: i32,
     ) -> Option<(&mut [F::Raw], A::Cells<'_>)> {
         let length = right.wrapping_sub(left) as usize;
-        let at = (left as usize)
-            .wrapping_sub(self.before)
-            .wrapping_add((y as usize).wrapping_mul(self.stride));
+        let at = self.number(left, y);
         // Two steps: a range would have its order checked besides its end.
         let pixels = self.pixels.get_mut(at..)?.get_mut(..length)?;
         Some((pixels, A::part(&mut self.cells, at, length)?))
+    }
+
+    /// The number of a pixel in the window.
+    #[inline(always)]
+    pub(crate) fn number(&self, x: i32, y: i32) -> usize {
+        (x as usize).wrapping_sub(self.before).wrapping_add((y as usize).wrapping_mul(self.stride))
+    }
+
+    /// From one row to the next.
+    #[inline(always)]
+    pub(crate) fn stride(&self) -> usize {
+        self.stride
+    }
+
+    /// Colour and cell of the pixel with a number; `None` where the window does not reach.
+    #[inline(always)]
+    pub(crate) fn one(&mut self, at: usize) -> Option<(&mut [F::Raw], A::Cells<'_>)> {
+        let pixel = core::slice::from_mut(self.pixels.get_mut(at)?);
+        Some((pixel, A::one(&mut self.cells, at)?))
     }
 }
 

@@ -1,12 +1,12 @@
 use super::assembly::{Assembly, Face, Positions};
 use super::cache::CacheView;
-use super::fill::{Access, Fill, Walk};
+use super::fill::{find, largest_of_few, Access, Fill, Walk};
 use super::mapping::Mapping;
 use super::projected::{flag, Projected};
 use super::Clip;
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::raster::{ScreenVertex, SpanBatch, Traversal};
+use crate::raster::{ScreenVertex, SpanBatch};
 use crate::scene::{Topology, Vertices};
 use crate::shade::{Bound, Corner, Counter, Event, Shader, State, Varying, VertexInput};
 
@@ -66,12 +66,20 @@ impl<H: Shader> Draw<'_, H> {
         D: Supplies<Access<S>>,
     {
         let mut face = Face::NONE;
-        let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
+        let mut walk = Walk::<S>::default();
+        let mut batch = SpanBatch::default();
         let mut target = frame.target::<Access<S>>();
+        let largest = largest_of_few::<H::Varying, F, D, Access<S>>(&target);
         while assembly.next(positions, cache.entries, state.counter(), &mut face) {
-            let traversal = state.traversal();
-            traversal.start(&mut walk, &face.triangle, &assembly.area, &mut batch);
-            if batch.is_empty() {
+            let few = find::<H::Varying, S>(
+                state,
+                &face.triangle,
+                &assembly.area,
+                largest,
+                &mut walk,
+                &mut batch,
+            );
+            if few.is_empty() {
                 if !face.clipped {
                     state.counter().event(Event::Outside);
                 }
@@ -97,7 +105,8 @@ impl<H: Shader> Draw<'_, H> {
                 state.counter().event(Event::Drawn);
                 &corners[0]
             };
-            Fill { triangle: &face.triangle, corners: &corners, provoking }.draw(
+            Fill { triangle: &face.triangle, corners: &corners, provoking }.draw_known(
+                few,
                 &mut target,
                 state,
                 &self.bound(),

@@ -1,8 +1,8 @@
 use crate::color::Format;
-use crate::frame::{DepthAccess, Supplies, Target, Window};
+use crate::frame::{DepthAccess, Rect, Supplies, Target, Window};
 use crate::math::BY_HALVES;
 use crate::raster::{
-    Gradients, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
+    Few, Gradients, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
 };
 use crate::shade::{ColorOutput, Corner, DepthTest, Fragments, Row, State, Varying};
 
@@ -11,6 +11,48 @@ pub(crate) type Access<S> = <<S as State>::Depth as DepthTest>::Access;
 
 /// A triangle being walked under a state.
 pub(super) type Walk<S> = <<S as State>::Traversal as Traversal>::Walk;
+
+/// The largest triangles to be asked whether they cover [few](Few) pixels: none where rows are drawn
+/// one at a time.
+#[inline(always)]
+pub(super) fn largest_of_few<V: Varying, F: Format, D, A: DepthAccess>(
+    target: &Target<'_, '_, F, D, A>,
+) -> u32 {
+    match target {
+        Target::Rows(_) if !V::INTERPOLATED => 0,
+        _ => Few::LARGEST,
+    }
+}
+
+/// Looks for a triangle's first pixels: what it covers, where it is one of few pixels and nothing is
+/// interpolated, and its first spans otherwise. [Empty](Few::is_empty) if there are none.
+#[inline(always)]
+pub(super) fn find<V: Varying, S: State>(
+    state: &S,
+    triangle: &Triangle,
+    area: &Rect,
+    largest: u32,
+    walk: &mut Walk<S>,
+    batch: &mut SpanBatch,
+) -> Few {
+    let traversal = state.traversal();
+    // Interpolated, they cost as much again for their planes: where the walk is cheap, the question
+    // is not worth it.
+    let asks = !V::INTERPOLATED || BY_HALVES;
+    let few = if asks { traversal.few(triangle, area, largest) } else { Few::UNKNOWN };
+    if !few.is_known() {
+        traversal.start(walk, triangle, area, batch);
+    } else if V::INTERPOLATED {
+        few.take(batch);
+    } else {
+        return few;
+    }
+    if batch.is_empty() {
+        Few::NONE
+    } else {
+        Few::UNKNOWN
+    }
+}
 
 /// A triangle ready for its pixels: where it is, and its attributes in the same order.
 #[derive(Clone, Copy)]
@@ -23,20 +65,34 @@ pub(super) struct Fill<'a, V: Varying> {
 /// The plane of the depth codes: 16.16, raised by a half so that cutting off rounds.
 #[inline(always)]
 pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
+    let (first, to_second, to_third) = codes(triangle);
+    gradients.plane_from(first, to_second, to_third)
+}
+
+/// The first corner's depth code, as planes have it, and by how much the others' are above.
+#[inline(always)]
+fn codes(triangle: &Triangle) -> (u32, i32, i32) {
     let [a, b, c] = &triangle.v;
     let from = i32::from(a.z);
     let rise = |z: u16| i32::from(z).wrapping_sub(from);
-    gradients.plane_from(u32::from(a.z) << 16 | 0x8000, rise(b.z), rise(c.z))
+    (u32::from(a.z) << 16 | 0x8000, rise(b.z), rise(c.z))
 }
 
 /// The same where nothing else is interpolated: a triangle of one depth needs no gradients.
 #[inline(never)]
 pub(super) fn lone_depth_plane(triangle: &Triangle) -> Plane {
+    level_depth_plane(triangle).unwrap_or_else(|| depth_plane(&Gradients::new(triangle), triangle))
+}
+
+/// The same of a triangle of one depth.
+#[inline(always)]
+fn level_depth_plane(triangle: &Triangle) -> Option<Plane> {
     let [a, b, c] = &triangle.v;
-    if a.z == b.z && a.z == c.z {
-        return Plane { origin: u32::from(a.z) << 16 | 0x8000, dx: 0, dy: 0 };
-    }
-    depth_plane(&Gradients::new(triangle), triangle)
+    (a.z == b.z && a.z == c.z).then(|| Plane {
+        origin: u32::from(a.z) << 16 | 0x8000,
+        dx: 0,
+        dy: 0,
+    })
 }
 
 /// The plane of a triangle that has the mean of its corners' codes everywhere.
@@ -60,7 +116,7 @@ fn move_away(plane: &mut Plane, triangle: &Triangle, by: i64) {
 impl<V: Varying> Fill<'_, V> {
     /// The plane of the depth codes under a test.
     #[inline(always)]
-    fn depth_plane<const MOVES: bool>(
+    fn depth_plane<const MOVES: bool, const FEW: bool>(
         &self,
         gradients: &Gradients,
         depth: &impl DepthTest,
@@ -70,6 +126,9 @@ impl<V: Varying> Fill<'_, V> {
                 mean_depth_plane(triangle)
             } else if V::INTERPOLATED {
                 depth_plane(gradients, triangle)
+            } else if FEW {
+                // In place: it is a large part of what these cost.
+                level_depth_plane(triangle).unwrap_or_else(|| lone_depth_plane(triangle))
             } else {
                 lone_depth_plane(triangle)
             }
@@ -89,6 +148,121 @@ impl<V: Varying> Fill<'_, V> {
             }
         }
         plane
+    }
+
+    /// The planes of what is interpolated.
+    #[inline(always)]
+    fn planes<H, S, F>(&self, gradients: &Gradients, in_pieces: bool, state: &mut S) -> V::Planes
+    where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+    {
+        if H::COLOR_AS_IS && state.parts().1.dims() {
+            let dimmed = self.corners.each_ref().map(V::dim::<F>);
+            V::planes(gradients, &dimmed, self.provoking, in_pieces)
+        } else {
+            V::planes(gradients, self.corners, self.provoking, in_pieces)
+        }
+    }
+
+    /// Draws the triangle's pixels: those that are known, or those of `batch` and all that `walk`
+    /// still finds.
+    #[inline(always)]
+    pub(super) fn draw_known<H, S, F, D, W>(
+        &self,
+        few: Few,
+        target: &mut Target<'_, '_, F, D, Access<S>>,
+        state: &mut S,
+        shader: &H,
+        walk: &mut W,
+        batch: &mut SpanBatch,
+    ) where
+        W: SpanWalk,
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+        D: Supplies<Access<S>>,
+    {
+        if !V::INTERPOLATED && few.is_known() {
+            // A copy: the corners beside it are not made then.
+            let fill = Fill { provoking: &{ *self.provoking }, ..*self };
+            fill.draw_few::<H, S, F, D>(few, target, state, shader);
+            return;
+        }
+        self.draw_all::<true, H, S, F, D, W>(target, state, shader, walk, batch);
+    }
+
+    /// Draws very few pixels of a triangle in which nothing is interpolated, one by one: no span is
+    /// made and begun. `None` if the frame does not reach so far.
+    ///
+    /// # Cost
+    /// About 200 bytes of flash a shader and state.
+    #[inline(never)]
+    fn draw_few<H, S, F, D>(
+        &self,
+        mut few: Few,
+        target: &mut Target<'_, '_, F, D, Access<S>>,
+        state: &mut S,
+        shader: &H,
+    ) -> Option<()>
+    where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+    {
+        let Target::Whole(window) = target else { return None };
+        let z_plane = if <Access<S>>::HAS_DEPTH {
+            self.depth_plane::<true, true>(&Gradients::NONE, state.parts().0)
+        } else {
+            Plane::default()
+        };
+        let planes = &self.planes::<H, S, F>(&Gradients::NONE, false, state);
+        let (depth, output, counter) = state.parts();
+        let mut window = window.level()?;
+        let (x, mut y) = few.place();
+        // Opaque: the compiler would make the sum of products for each column apart.
+        let (mut at, mut z) = core::hint::black_box((window.number(x, y), z_plane.at(x, y)));
+        loop {
+            let mut pixel = |x: i32, at: usize, z: u32| {
+                let right = x.wrapping_add(1);
+                let span = Span { y, first: x, left: x, right, behind: right };
+                let mut runs = V::runs(planes, &span);
+                let (varying, step, _) = V::run(planes, &mut runs, &span, x);
+                let (pixels, cells) = window.one(at)?;
+                shader.span(Row::<S, F, V> {
+                    x,
+                    y,
+                    pixels,
+                    cells,
+                    z,
+                    z_step: z_plane.dx,
+                    may_be_level: false,
+                    varying,
+                    step,
+                    depth,
+                    output,
+                    counter,
+                });
+                Some(())
+            };
+            let (left, right) = few.row();
+            if left {
+                pixel(x, at, z)?;
+            }
+            if right {
+                pixel(x.wrapping_add(1), at.wrapping_add(1), z.wrapping_add(z_plane.dx))?;
+            }
+            few.next_row();
+            if few.is_empty() {
+                return Some(());
+            }
+            y = y.wrapping_add(1);
+            z = z.wrapping_add(z_plane.dy);
+            at = at.wrapping_add(window.stride());
+            // Not unrolled.
+            core::hint::black_box(());
+        }
     }
 
     /// Draws the triangle's pixels: those of `batch` and all that `walk` still finds.
@@ -149,17 +323,12 @@ impl<V: Varying> Fill<'_, V> {
         let gradients =
             if V::INTERPOLATED { Gradients::new(self.triangle) } else { Gradients::NONE };
         let z_plane = if <Access<S>>::HAS_DEPTH {
-            self.depth_plane::<MOVES>(&gradients, state.parts().0)
+            self.depth_plane::<MOVES, false>(&gradients, state.parts().0)
         } else {
             Plane::default()
         };
         let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
-        let planes = if H::COLOR_AS_IS && state.parts().1.dims() {
-            let dimmed = self.corners.each_ref().map(V::dim::<F>);
-            V::planes(&gradients, &dimmed, self.provoking, in_pieces)
-        } else {
-            V::planes(&gradients, self.corners, self.provoking, in_pieces)
-        };
+        let planes = self.planes::<H, S, F>(&gradients, in_pieces, state);
         let mut ready = Ready::<V> { planes, z_plane };
         match &mut *target {
             Target::Whole(window) if !in_pieces => loop {

@@ -5,14 +5,14 @@ use super::cache::CacheView;
 use super::clipper::Fan;
 use super::display_list::{reaches, Recorded};
 use super::draw::Draw;
-use super::fill::{Access, Fill, Walk};
+use super::fill::{find, largest_of_few, Access, Fill, Walk};
 use super::pass::SetUp;
 use super::transform::Transform;
 use super::{DisplayList, ListError, Pass, VertexCache};
 use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies, Target};
 use crate::math::Mat4;
-use crate::raster::{ScreenVertex, SpanBatch, Traversal};
+use crate::raster::{ScreenVertex, SpanBatch};
 use crate::scene::{Mesh, Topology};
 use crate::shade::{Bound, Corner, Counter, Event, Shader, State, Varying};
 
@@ -126,9 +126,11 @@ impl<'r, 'f, S: State, F: Format, D: Supplies<Access<S>>> Replay<'r, 'f, S, F, D
     fn draw<H: Shader>(&mut self, recorded: &Recorded<Corner<H::Varying>>, bound: &Bound<'_, H>) {
         let Self { target, state, area, walk, batch } = self;
         let Recorded { triangle, corners, provoking } = recorded;
-        state.traversal().start(walk, triangle, area, batch);
-        if !batch.is_empty() {
-            Fill { triangle, corners, provoking }.draw(target, *state, bound, walk, batch);
+        let largest = largest_of_few::<H::Varying, F, D, Access<S>>(target);
+        let few = find::<H::Varying, S>(state, triangle, area, largest, walk, batch);
+        if !few.is_empty() {
+            let fill = Fill { triangle, corners, provoking };
+            fill.draw_known(few, target, *state, bound, walk, batch);
         }
     }
 }

@@ -1,4 +1,4 @@
-use super::fill::{Access, Fill, Walk};
+use super::fill::{find, largest_of_few, Access, Fill, Walk};
 use super::line::{LineDraw, Outcome};
 use super::point::{draw_point, single_points};
 use super::{Cull, CulledWindings, LineStyle, Winding};
@@ -300,10 +300,12 @@ impl<S: State> ScreenPass<S> {
     {
         let prepared = &shader.prepare(&context(frame.picture()));
         let bound = &Bound { shader, prepared };
-        let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
+        let mut walk = Walk::<S>::default();
+        let mut batch = SpanBatch::made_by_stores();
         let culled = CulledWindings::new(self.cull, self.front);
         let (area, mut fitted) = (frame.scissor(), Fitted::new(frame.picture()));
         let mut target = frame.target::<Access<S>>();
+        let largest = largest_of_few::<H::Varying, F, D, Access<S>>(&target);
         for [(a, p), (b, q), (c, r)] in triangles {
             let counter = self.state.counter();
             counter.event(Event::Triangle);
@@ -323,14 +325,16 @@ impl<S: State> ScreenPass<S> {
                 counter.event(Event::Culled);
                 continue;
             }
-            self.state.traversal().start(&mut walk, triangle, &area, &mut batch);
-            if batch.is_empty() {
+            let state = &mut self.state;
+            let few = find::<H::Varying, S>(state, triangle, &area, largest, &mut walk, &mut batch);
+            if few.is_empty() {
                 self.state.counter().event(Event::Outside);
                 continue;
             }
             self.state.counter().event(Event::Drawn);
             let ordered = if triangle.flipped { [*p, *r, *q] } else { [*p, *q, *r] };
-            Fill { triangle, corners: &ordered, provoking: p }.draw(
+            Fill { triangle, corners: &ordered, provoking: p }.draw_known(
+                few,
                 &mut target,
                 &mut self.state,
                 bound,

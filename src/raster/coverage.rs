@@ -1,5 +1,4 @@
-use super::few::{may_be_few, take_few};
-use super::{Spans, Triangle};
+use super::{Few, Spans, Triangle};
 use crate::frame::Rect;
 
 /// A run of covered pixels in one row, in picture coordinates.
@@ -26,6 +25,14 @@ pub trait Traversal: Copy {
     /// Starts `walk` on a triangle, limited to `area`, and takes its first spans: none if no pixel
     /// of it is covered.
     fn start(&self, walk: &mut Self::Walk, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch);
+
+    /// The pixels of a triangle of very few and twice the area `largest` at most, where this way
+    /// tells them apart: then it need not be started.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn few(&self, _triangle: &Triangle, _area: &Rect, _largest: u32) -> Few {
+        Few::UNKNOWN
+    }
 }
 
 /// A triangle being walked.
@@ -36,28 +43,26 @@ pub trait SpanWalk {
 
 /// A few spans of one triangle: taken together, they cost half of what they do one by one, since
 /// the walk's state stays in registers.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct SpanBatch {
     pub(super) spans: [Span; Self::CAPACITY],
     pub(super) length: usize,
     pub(super) last: bool,
 }
 
-impl Default for SpanBatch {
-    /// Without spans. One copy for all that draws, which is short: a call to `memset` takes four
-    /// instructions a word.
+impl SpanBatch {
+    /// Spans that fit.
+    pub const CAPACITY: usize = 16;
+
+    /// One without spans, as [`default`](Self::default) makes it by `memset`: that takes four
+    /// instructions a word, which counts where few triangles are drawn at a time.
     #[inline(never)]
-    fn default() -> Self {
+    pub(crate) fn made_by_stores() -> Self {
         // Opaque: the compiler would call `memset` all the same.
         let zero = core::hint::black_box(0);
         let span = Span { y: zero, first: zero, left: zero, right: zero, behind: zero };
         Self { spans: [span; Self::CAPACITY], length: 0, last: false }
     }
-}
-
-impl SpanBatch {
-    /// Spans that fit.
-    pub const CAPACITY: usize = 16;
 
     /// Forgets the spans; those that come are the last ones until [`more`](Self::more) is said.
     #[inline(always)]
@@ -130,10 +135,11 @@ impl Traversal for Scanline {
 
     #[inline(always)]
     fn start(&self, walk: &mut Spans, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
-        // Asked here, where the answer of other triangles costs nothing but the question.
-        if may_be_few(triangle) && take_few(triangle, area, batch) {
-            return;
-        }
         walk.start(triangle, area, batch);
+    }
+
+    #[inline(always)]
+    fn few(&self, triangle: &Triangle, area: &Rect, largest: u32) -> Few {
+        Few::of(triangle, area, largest)
     }
 }

@@ -30,6 +30,7 @@ mod triangle;
 
 pub use coverage::{Scanline, Span, SpanBatch, SpanWalk, Traversal};
 pub(crate) use edge::Edge;
+pub use few::Few;
 pub use gradients::Gradients;
 pub(crate) use gradients::Slopes;
 pub(crate) use line::{depth_along, plane_triangle, Line};

@@ -95,7 +95,8 @@ impl Quad {
             let at = |i: usize| self.v[i & 3];
             let corner = |i: usize| corners[i & 3];
             let Some(triangle) = &Triangle::oriented([at(i), at(j), at(k)]) else { continue };
-            let (mut walk, mut batch) = (Walk::<S>::default(), SpanBatch::default());
+            let mut walk = Walk::<S>::default();
+            let mut batch = SpanBatch::made_by_stores();
             state.traversal().start(&mut walk, triangle, area, &mut batch);
             if batch.is_empty() {
                 continue;

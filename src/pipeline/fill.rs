@@ -81,7 +81,11 @@ fn codes(triangle: &Triangle) -> (u32, i32, i32) {
 /// The same where nothing else is interpolated: a triangle of one depth needs no gradients.
 #[inline(never)]
 pub(super) fn lone_depth_plane(triangle: &Triangle) -> Plane {
-    level_depth_plane(triangle).unwrap_or_else(|| depth_plane(&Gradients::new(triangle), triangle))
+    level_depth_plane(triangle).unwrap_or_else(|| {
+        let (first, to_second, to_third) = codes(triangle);
+        // Where only this is drawn, there is no other copy of the gradients.
+        Gradients::inlined(triangle).inlined_plane(first, to_second, to_third)
+    })
 }
 
 /// The same of a triangle of one depth.

@@ -82,11 +82,17 @@ impl Gradients {
 
     /// Prepares the planes of a triangle.
     #[inline(never)]
+    pub fn new(triangle: &Triangle) -> Self {
+        Self::inlined(triangle)
+    }
+
+    /// The same in place: for a single plane, which then does not go through memory.
+    #[inline(always)]
     #[allow(
         clippy::cast_possible_truncation,
         reason = "areas of short sides fit, large ones are shifted so that they do"
     )]
-    pub fn new(triangle: &Triangle) -> Self {
+    pub(crate) fn inlined(triangle: &Triangle) -> Self {
         let [a, b, c] = &triangle.v;
         let (x1, y1) = (b.x_bits().wrapping_sub(a.x_bits()), b.y_bits().wrapping_sub(a.y_bits()));
         let (x2, y2) = (c.x_bits().wrapping_sub(a.x_bits()), c.y_bits().wrapping_sub(a.y_bits()));
@@ -165,6 +171,12 @@ impl Gradients {
     /// second and at the third (below 2^16 in magnitude).
     #[inline(never)]
     pub(crate) fn plane_from(&self, first: u32, d1: i32, d2: i32) -> Plane {
+        self.inlined_plane(first, d1, d2)
+    }
+
+    /// The same in place.
+    #[inline(always)]
+    pub(crate) fn inlined_plane(&self, first: u32, d1: i32, d2: i32) -> Plane {
         let Slopes { dx, dy, to_center } = self.slopes(d1, d2);
         self.plane_at(first.wrapping_add(to_center as u32), dx as u32, dy as u32)
     }

@@ -65,24 +65,15 @@ pub(super) struct Fill<'a, V: Varying> {
 /// The plane of the depth codes: 16.16, raised by a half so that cutting off rounds.
 #[inline(always)]
 pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
-    let (first, to_second, to_third) = codes(triangle);
+    let (first, to_second, to_third) = triangle.depth_codes();
     gradients.plane_from(first, to_second, to_third)
-}
-
-/// The first corner's depth code, as planes have it, and by how much the others' are above.
-#[inline(always)]
-fn codes(triangle: &Triangle) -> (u32, i32, i32) {
-    let [a, b, c] = &triangle.v;
-    let from = i32::from(a.z);
-    let rise = |z: u16| i32::from(z).wrapping_sub(from);
-    (u32::from(a.z) << 16 | 0x8000, rise(b.z), rise(c.z))
 }
 
 /// The same where nothing else is interpolated: a triangle of one depth needs no gradients.
 #[inline(never)]
 pub(super) fn lone_depth_plane(triangle: &Triangle) -> Plane {
     level_depth_plane(triangle).unwrap_or_else(|| {
-        let (first, to_second, to_third) = codes(triangle);
+        let (first, to_second, to_third) = triangle.depth_codes();
         // Where only this is drawn, there is no other copy of the gradients.
         Gradients::inlined(triangle).inlined_plane(first, to_second, to_third)
     })
@@ -146,12 +137,18 @@ impl<V: Varying> Fill<'_, V> {
         }
         let mut plane = plane(triangle);
         if MOVES {
-            let offset = depth.offset(plane.dx.cast_signed(), plane.dy.cast_signed());
-            if offset != 0 {
-                move_away(&mut plane, triangle, offset);
-            }
+            Self::offset(&mut plane, triangle, depth);
         }
         plane
+    }
+
+    /// Moves a plane as a test says.
+    #[inline(always)]
+    fn offset(plane: &mut Plane, triangle: &Triangle, depth: &impl DepthTest) {
+        let offset = depth.offset(plane.dx.cast_signed(), plane.dy.cast_signed());
+        if offset != 0 {
+            move_away(plane, triangle, offset);
+        }
     }
 
     /// The planes of what is interpolated.
@@ -323,17 +320,32 @@ impl<V: Varying> Fill<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        // What neither depth nor varyings ask for is not computed.
-        let gradients =
-            if V::INTERPOLATED { Gradients::new(self.triangle) } else { Gradients::NONE };
-        let z_plane = if <Access<S>>::HAS_DEPTH {
-            self.depth_plane::<MOVES, false>(&gradients, state.parts().0)
+        let depth = state.parts().0;
+        let at_once = <Access<S>>::HAS_DEPTH && !depth.is_constant() && !depth.maps();
+        let in_pieces;
+        let mut ready = if at_once && V::AT_ONCE {
+            let mut set = if H::COLOR_AS_IS && state.parts().1.dims() {
+                V::at_once(self.triangle, &self.corners.each_ref().map(V::dim::<F>))
+            } else {
+                V::at_once(self.triangle, self.corners)
+            };
+            if MOVES {
+                Self::offset(&mut set.1, self.triangle, state.parts().0);
+            }
+            in_pieces = V::are_in_pieces(&set.0);
+            Ready::<V> { set }
         } else {
-            Plane::default()
+            // What neither depth nor varyings ask for is not computed.
+            let gradients =
+                if V::INTERPOLATED { Gradients::new(self.triangle) } else { Gradients::NONE };
+            let z_plane = if <Access<S>>::HAS_DEPTH {
+                self.depth_plane::<MOVES, false>(&gradients, state.parts().0)
+            } else {
+                Plane::default()
+            };
+            in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
+            Ready::<V> { set: (self.planes::<H, S, F>(&gradients, in_pieces, state), z_plane) }
         };
-        let in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
-        let planes = self.planes::<H, S, F>(&gradients, in_pieces, state);
-        let mut ready = Ready::<V> { planes, z_plane };
         match &mut *target {
             Target::Whole(window) if !in_pieces => loop {
                 let drawn = ready.draw::<H, S, F>(batch.spans(), window, state, shader);
@@ -394,8 +406,8 @@ const ENDLESS: i32 = 1 << 20;
 
 /// A triangle's planes, ready for its spans.
 struct Ready<V: Varying> {
-    planes: V::Planes,
-    z_plane: Plane,
+    /// Of what is interpolated, and of depth.
+    set: (V::Planes, Plane),
 }
 
 impl<V: Varying> Ready<V> {
@@ -426,7 +438,7 @@ impl<V: Varying> Ready<V> {
                 // Asked anew for each piece, as the target is: the compiler makes a loop for every
                 // answer that it can ask for once.
                 if V::PIECE != 0 && pieces.length != ENDLESS {
-                    V::settle(&mut self.planes, start, piece.y);
+                    V::settle(&mut self.set.0, start, piece.y);
                 }
                 let spans = core::slice::from_ref(piece);
                 let drawn = match core::hint::black_box(&mut *target) {
@@ -479,7 +491,8 @@ impl<V: Varying> Ready<V> {
         } else {
             does_more_than_store && !<Access<S>>::HAS_DEPTH
         };
-        let Self { planes, z_plane } = if planes_stay { core::hint::black_box(self) } else { self };
+        let Self { set: (planes, z_plane) } =
+            if planes_stay { core::hint::black_box(self) } else { self };
         for span in spans.by_ref() {
             let Span { y, left, right, .. } = *span;
             let (pixels, cells) = window.row(y, left, right)?;

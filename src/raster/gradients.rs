@@ -54,6 +54,29 @@ const SHORT_SIDE: u32 = 1 << 14;
 /// The least twice area that weights are made for, as a power of two of the longest side's square.
 const THICK: u32 = 5;
 
+/// The sides from the first corner, in subpixels.
+struct Sides {
+    x1: i32,
+    y1: i32,
+    x2: i32,
+    y2: i32,
+    /// As many bits as the longest has.
+    longest: u32,
+}
+
+impl Sides {
+    #[inline(always)]
+    fn of(triangle: &Triangle) -> Self {
+        let [a, b, c] = &triangle.v;
+        let (x1, y1) = (b.x_bits().wrapping_sub(a.x_bits()), b.y_bits().wrapping_sub(a.y_bits()));
+        let (x2, y2) = (c.x_bits().wrapping_sub(a.x_bits()), c.y_bits().wrapping_sub(a.y_bits()));
+        // The complement of one that is negative.
+        let bits = |side: i32| side ^ (side >> 31);
+        let longest = (bits(x1) | bits(y1) | bits(x2) | bits(y2)).cast_unsigned();
+        Self { x1, y1, x2, y2, longest }
+    }
+}
+
 /// The upper word of (side 2^room) mantissa, rounded down, by two products of 32 bits.
 ///
 /// `side` must have no more than 14 bits, `zeros` is the number of zeros above those of the longest
@@ -86,22 +109,40 @@ impl Gradients {
         Self::inlined(triangle)
     }
 
-    /// The same in place: for a single plane, which then does not go through memory.
+    /// The same in place: for planes of one kind, which weights then reach without memory.
     #[inline(always)]
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "areas of short sides fit, large ones are shifted so that they do"
-    )]
     pub(crate) fn inlined(triangle: &Triangle) -> Self {
-        let [a, b, c] = &triangle.v;
-        let (x1, y1) = (b.x_bits().wrapping_sub(a.x_bits()), b.y_bits().wrapping_sub(a.y_bits()));
-        let (x2, y2) = (c.x_bits().wrapping_sub(a.x_bits()), c.y_bits().wrapping_sub(a.y_bits()));
+        Self::weighted(triangle).unwrap_or_else(|| Self::exact(triangle))
+    }
+
+    /// The same of a triangle that is too large or too thin for weights: rare.
+    #[cold]
+    #[inline(never)]
+    #[allow(clippy::cast_possible_truncation, reason = "areas above 32 bits are shifted")]
+    pub(crate) fn exact(triangle: &Triangle) -> Self {
+        let Sides { x1, y1, x2, y2, longest } = Sides::of(triangle);
+        let [a, ..] = &triangle.v;
+        // Areas above 32 bits lose low bits that are far below the reciprocal's own error.
+        let excess = 32_u32.saturating_sub(triangle.area.leading_zeros());
+        let reciprocal = reciprocal((triangle.area >> excess) as u32);
+        let shift = reciprocal.shift.wrapping_add(excess).wrapping_sub(20);
+        let mantissa = reciprocal.mantissa;
+        let to_center_x = 8_i32.wrapping_sub(a.x_bits() & 15);
+        let to_center_y = 8_i32.wrapping_sub(a.y_bits() & 15);
+        let exact = Exact { x1, y1, x2, y2, mantissa, shift, to_center_x, to_center_y };
+        let (pixel_x, pixel_y) = (a.x_bits() >> 4, a.y_bits() >> 4);
+        Self { pixel_x, pixel_y, reach: longest, exact: Some(exact), ..Self::NONE }
+    }
+
+    /// The same of any other triangle.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "areas of short sides fit")]
+    pub(crate) fn weighted(triangle: &Triangle) -> Option<Self> {
+        let Sides { x1, y1, x2, y2, longest } = Sides::of(triangle);
+        let [a, ..] = &triangle.v;
         let to_center_x = 8_i32.wrapping_sub(a.x_bits() & 15);
         let to_center_y = 8_i32.wrapping_sub(a.y_bits() & 15);
         let (pixel_x, pixel_y) = (a.x_bits() >> 4, a.y_bits() >> 4);
-        // As many bits as the longest side has: the complement of one that is negative.
-        let bits = |side: i32| side ^ (side >> 31);
-        let longest = (bits(x1) | bits(y1) | bits(x2) | bits(y2)).cast_unsigned();
         let area = triangle.area as u32;
         if longest < SHORT_SIDE && area >= longest.wrapping_mul(longest) >> THICK {
             // Never zero: a triangle is made with an area.
@@ -126,7 +167,7 @@ impl Gradients {
                 c.wrapping_mul(to_center_x).wrapping_add(r.wrapping_mul(to_center_y)) >> 4
             };
             let center = [center(column[0], row[0]), center(column[1], row[1])];
-            Self {
+            Some(Self {
                 column: column.map(weight),
                 row: row.map(weight),
                 center: center.map(weight),
@@ -135,15 +176,9 @@ impl Gradients {
                 pixel_y,
                 reach: longest,
                 exact: None,
-            }
+            })
         } else {
-            // Areas above 32 bits lose low bits that are far below the reciprocal's own error.
-            let excess = 32_u32.saturating_sub(triangle.area.leading_zeros());
-            let reciprocal = reciprocal((triangle.area >> excess) as u32);
-            let shift = reciprocal.shift.wrapping_add(excess).wrapping_sub(20);
-            let mantissa = reciprocal.mantissa;
-            let exact = Exact { x1, y1, x2, y2, mantissa, shift, to_center_x, to_center_y };
-            Self { pixel_x, pixel_y, reach: longest, exact: Some(exact), ..Self::NONE }
+            None
         }
     }
 

@@ -178,6 +178,16 @@ impl Triangle {
         }
     }
 
+    /// The first corner's depth code, as planes have it: 16.16, raised by a half so that cutting off
+    /// rounds. And by how much the others' codes are above.
+    #[inline(always)]
+    pub(crate) fn depth_codes(&self) -> (u32, i32, i32) {
+        let [a, b, c] = &self.v;
+        let from = i32::from(a.z);
+        let rise = |z: u16| i32::from(z).wrapping_sub(from);
+        (u32::from(a.z) << 16 | 0x8000, rise(b.z), rise(c.z))
+    }
+
     /// The corners, clockwise on the screen.
     pub fn vertices(&self) -> &[ScreenVertex; 3] {
         &self.v

@@ -1,7 +1,7 @@
 use super::flat_color::mix_color;
 use super::{Interpolated, Stepped, Varying};
 use crate::color::{Color, Format};
-use crate::raster::{Gradients, Plane, PointSquare, Slopes, Span};
+use crate::raster::{Gradients, Plane, PointSquare, Slopes, Span, Triangle};
 
 /// A colour interpolated over the triangle, linear on the screen (Gouraud).
 ///
@@ -86,6 +86,18 @@ impl Varying for SmoothColor {
         smooth_planes(gradients, corners, in_pieces)
     }
 
+    const AT_ONCE: bool = true;
+
+    #[inline(always)]
+    fn at_once(triangle: &Triangle, corners: &[Color; 3]) -> (SmoothColorPlanes, Plane) {
+        smooth_planes_at_once(triangle, corners)
+    }
+
+    #[inline(always)]
+    fn are_in_pieces(planes: &SmoothColorPlanes) -> bool {
+        planes.fine.is_some()
+    }
+
     #[inline(always)]
     fn runs(_: &SmoothColorPlanes, _: &Span) {}
 
@@ -161,7 +173,36 @@ impl Interpolated for SmoothColor {
     }
 }
 
-/// One copy for every shader that interpolates a colour.
+/// Colour and depth of a triangle, in one copy for every shader that interpolates nothing else:
+/// gradients stay in registers.
+#[inline(never)]
+fn smooth_planes_at_once(triangle: &Triangle, corners: &[Color; 3]) -> (SmoothColorPlanes, Plane) {
+    let Some(gradients) = Gradients::weighted(triangle) else {
+        return exact_planes_at_once(triangle, corners);
+    };
+    let slopes = |d1, d2| gradients.weighted_slopes(d1, d2);
+    let depth = {
+        let (first, to_second, to_third) = triangle.depth_codes();
+        let Slopes { dx, dy, to_center } = slopes(to_second, to_third);
+        let value = first.wrapping_add(to_center.cast_unsigned());
+        gradients.plane_at(value, dx.cast_unsigned(), dy.cast_unsigned())
+    };
+    let in_pieces = gradients.reach_beyond(SmoothColor::PIECE / 2);
+    (planes_by(&gradients, corners, in_pieces, slopes), depth)
+}
+
+/// The same of triangles that are too large or too thin for weights.
+#[cold]
+#[inline(never)]
+fn exact_planes_at_once(triangle: &Triangle, corners: &[Color; 3]) -> (SmoothColorPlanes, Plane) {
+    let gradients = &Gradients::exact(triangle);
+    let (first, to_second, to_third) = triangle.depth_codes();
+    let in_pieces = gradients.reach_beyond(SmoothColor::PIECE / 2);
+    let planes = exact_planes(gradients, corners, in_pieces);
+    (planes, gradients.inlined_plane(first, to_second, to_third))
+}
+
+/// One copy for every shader that interpolates a colour beside something else, or without depth.
 #[inline(never)]
 fn smooth_planes(
     gradients: &Gradients,
@@ -220,4 +261,42 @@ fn planes_by(
         planes.fine = Some([plane(blue_value, &blue), plane(red_value, &red)]);
     }
     planes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::hard_numbers::Random;
+    use crate::raster::ScreenVertex;
+
+    #[test]
+    fn planes_at_once_are_those_made_apart() {
+        let mut random = Random::new(41);
+        let mut seen = [0; 3];
+        for round in 0..20_000 {
+            // From a few pixels, with slivers among them, to more than the rounded slopes serve.
+            let reach = [6, 9, 12, 15][round % 4];
+            let mut corner = |_| {
+                let (at, z) = (random.word(), random.word());
+                let axis = |word: u32| (word & ((1 << reach) - 1)).cast_signed();
+                let place = ScreenVertex::from_bits(axis(at), axis(at >> 16), (z >> 16) as u16);
+                let [red, green, blue, ..] = random.word().to_le_bytes();
+                (place, Color::new(red, green, blue))
+            };
+            let [(a, p), (b, q), (c, r)] = [(), (), ()].map(&mut corner);
+            let Some(triangle) = &Triangle::oriented([a, b, c]) else { continue };
+            let corners = &[p, q, r];
+            let gradients = &Gradients::new(triangle);
+            let in_pieces = gradients.reach_beyond(SmoothColor::PIECE / 2);
+            let (first, to_second, to_third) = triangle.depth_codes();
+            let apart = (
+                smooth_planes(gradients, corners, in_pieces),
+                gradients.plane_from(first, to_second, to_third),
+            );
+            assert_eq!(smooth_planes_at_once(triangle, corners), apart, "{triangle:?} {corners:?}");
+            assert_eq!(SmoothColor::are_in_pieces(&apart.0), in_pieces, "{triangle:?}");
+            seen[usize::from(in_pieces) + usize::from(gradients.are_exact())] += 1;
+        }
+        assert!(seen.iter().all(|count| *count > 500), "{seen:?}");
+    }
 }

@@ -1,5 +1,5 @@
 use crate::color::Format;
-use crate::raster::{Gradients, PointSquare, Span};
+use crate::raster::{Gradients, Plane, PointSquare, Span, Triangle};
 
 /// What a shader's `vertex` gives for one corner of a triangle.
 pub type Corner<V> = <V as Varying>::Corner;
@@ -46,6 +46,29 @@ pub trait Varying: Stepped {
         provoking: &Self::Corner,
         in_pieces: bool,
     ) -> Self::Planes;
+
+    /// Whether [`at_once`](Self::at_once) makes planes.
+    #[doc(hidden)]
+    const AT_ONCE: bool = false;
+
+    /// The same with the plane of depth: in fewer instructions, where a triangle's set-up is for both
+    /// alone.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn at_once(triangle: &Triangle, corners: &[Self::Corner; 3]) -> (Self::Planes, Plane) {
+        let gradients = Gradients::new(triangle);
+        let in_pieces = Self::PIECE != 0 && gradients.reach_beyond(Self::PIECE / 2);
+        let (first, to_second, to_third) = triangle.depth_codes();
+        let depth = gradients.plane_from(first, to_second, to_third);
+        (Self::planes(&gradients, corners, &corners[0], in_pieces), depth)
+    }
+
+    /// Whether planes will be [settled](Self::settle), as they were told.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn are_in_pieces(_planes: &Self::Planes) -> bool {
+        false
+    }
 
     /// Begins a row: the first [`run`](Self::run) will be at `span.left`.
     fn runs(planes: &Self::Planes, span: &Span) -> Self::Runs;

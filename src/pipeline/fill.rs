@@ -198,7 +198,8 @@ impl<V: Varying> Fill<'_, V> {
     /// made and begun. `None` if the frame does not reach so far.
     ///
     /// # Cost
-    /// About 200 bytes of flash a shader and state.
+    /// On Cortex-M4 some 90 instructions for two pixels, with depth. 110 to 300 bytes of flash a shader
+    /// and state, more where colours are blended or dithered.
     #[inline(never)]
     fn draw_few<H, S, F, D>(
         &self,

@@ -7,9 +7,9 @@ use crate::frame::Rect;
 ///
 /// # Cost
 /// On Cortex-M4 8 instructions a row of a short triangle and 9 more where it holds a pixel, after
-/// some 180 to start; one division an edge, by a table where the core has none. Small triangles whose
-/// box holds two by two centres at most do without, by edge functions, for some 145. Not generic, so
-/// that one copy serves every shader, state and format.
+/// some 180 to start; one division an edge, by a table where the core has none. Passes ask before whether a
+/// triangle is one of very few pixels, which do without. Not generic, so that one copy serves every
+/// shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans {
     left: LongEdge,

@@ -25,16 +25,15 @@ impl<F: Format, A: DepthAccess> Window<'_, F, A> {
         Some(Window { pixels, cells, stride: self.stride, before: self.before })
     }
 
-    /// Colours and cells of columns `left..right` of picture row `y`; `None` where the window does
-    /// not reach.
+    /// Colours and cells of so many columns of picture row `y`, from `left` on; `None` where the
+    /// window does not reach.
     #[inline(always)]
     pub(crate) fn row(
         &mut self,
         y: i32,
         left: i32,
-        right: i32,
+        length: usize,
     ) -> Option<(&mut [F::Raw], A::Cells<'_>)> {
-        let length = right.wrapping_sub(left) as usize;
         let at = self.number(left, y);
         // Two steps: a range would have its order checked besides its end.
         let pixels = self.pixels.get_mut(at..)?.get_mut(..length)?;

@@ -494,9 +494,16 @@ impl<V: Varying> Ready<V> {
         };
         let Self { set: (planes, z_plane) } =
             if planes_stay { core::hint::black_box(self) } else { self };
+        let from_last = S::Output::PLAIN && <Access<S>>::TOUCHES && V::GOES_BACK && !V::IN_RUNS;
         for span in spans.by_ref() {
             let Span { y, left, right, .. } = *span;
-            let (pixels, cells) = window.row(y, left, right)?;
+            let mut length = right.wrapping_sub(left) as usize;
+            if from_last {
+                // No row is longer. As the compiler knows it, one number is a pixel's place among
+                // colours and cells, and the count.
+                length &= 0xFFFF;
+            }
+            let (pixels, cells) = window.row(y, left, length)?;
             let mut runs = V::runs(planes, span);
             if V::IN_RUNS {
                 let mut cells = cells;
@@ -518,6 +525,7 @@ impl<V: Varying> Ready<V> {
                         may_be_level: true,
                         varying,
                         step,
+                        last: None,
                         depth,
                         output,
                         counter: &mut *counter,
@@ -527,6 +535,10 @@ impl<V: Varying> Ready<V> {
                 continue;
             }
             let (varying, step, _) = V::run(planes, &mut runs, span, left);
+            let last = from_last.then(|| {
+                let x = right.wrapping_sub(1);
+                (V::run(planes, &mut runs, span, x).0, z_plane.at(x, y))
+            });
             shader.span(Row::<S, F, V> {
                 x: left,
                 y,
@@ -537,6 +549,7 @@ impl<V: Varying> Ready<V> {
                 may_be_level: true,
                 varying,
                 step,
+                last,
                 depth,
                 output,
                 counter,

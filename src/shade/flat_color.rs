@@ -18,6 +18,8 @@ impl FlatColor {
 impl Stepped for FlatColor {
     type Step = ();
 
+    const GOES_BACK: bool = true;
+
     #[inline(always)]
     fn step(&mut self, (): &()) {}
 }

@@ -16,10 +16,11 @@ impl<S: State, F: Format, V: Stepped> Row<'_, S, F, V> {
     /// Stores one value in each pixel that passes the depth test.
     #[inline(always)]
     pub(super) fn fill_visible(self, raw: F::Raw) {
-        let Self { pixels, cells, z, z_step, depth, counter, .. } = self;
+        let Self { pixels, cells, z, z_step, last, depth, counter, .. } = self;
         let is_level = self.may_be_level && pixels.len() >= LONG && z_step == 0;
-        let cells = if !is_level && (BY_HALVES || pixels.len() == 1) {
-            // With few registers, the loop over both is the longer one; of lines, it is none.
+        let cells = if !is_level && (BY_HALVES || last.is_some() || pixels.len() == 1) {
+            // With few registers, the loop over both is the longer one; of lines, it is none; from
+            // the last pixel on there is a shorter one.
             cells
         } else {
             match <Access<S>>::codes(cells) {
@@ -124,7 +125,15 @@ mod tests {
             expected.1[i] = if passes && depth.writes() { code } else { stored };
             along = along.wrapping_add(z_step);
         }
-        for way in ["as this core does", "by codes", "by pixels"] {
+        let behind = z.wrapping_add(z_step.wrapping_mul(codes.len() as u32));
+        let ways = [
+            ("as this core does", false),
+            ("by codes", false),
+            ("by pixels", false),
+            ("as this core does", true),
+            ("by pixels", true),
+        ];
+        for (way, from_last) in ways {
             let (mut pixels, mut cells) = ([7u16; 64], [0u16; 64]);
             let (pixels, cells) = (&mut pixels[..codes.len()], &mut cells[..codes.len()]);
             cells.copy_from_slice(codes);
@@ -143,6 +152,7 @@ mod tests {
                     may_be_level: true,
                     varying: (),
                     step: (),
+                    last: from_last.then(|| ((), behind.wrapping_sub(z_step))),
                     depth: &depth,
                     output: &output,
                     counter: &mut counter,
@@ -153,7 +163,7 @@ mod tests {
                     row.fill(COLOR);
                 }
             }
-            let case = (way, z, z_step);
+            let case = (way, from_last, z, z_step);
             assert_eq!(pixels, &expected.0[..codes.len()], "colours {case:x?}");
             assert_eq!(cells, &expected.1[..codes.len()], "codes {case:x?}");
             assert_eq!(stats.pixels, visible, "pixels {case:x?}");

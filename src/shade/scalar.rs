@@ -17,9 +17,16 @@ impl Scalar {
 impl Stepped for Scalar {
     type Step = u32;
 
+    const GOES_BACK: bool = true;
+
     #[inline(always)]
     fn step(&mut self, step: &u32) {
         self.0 = self.0.wrapping_add(*step);
+    }
+
+    #[inline(always)]
+    fn step_back(&mut self, step: &u32) {
+        self.0 = self.0.wrapping_sub(*step);
     }
 }
 

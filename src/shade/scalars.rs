@@ -32,10 +32,19 @@ impl<const N: usize> Scalars<N> {
 impl<const N: usize> Stepped for Scalars<N> {
     type Step = [u32; N];
 
+    const GOES_BACK: bool = true;
+
     #[inline(always)]
     fn step(&mut self, step: &[u32; N]) {
         for (word, step) in self.0.iter_mut().zip(step) {
             *word = word.wrapping_add(*step);
+        }
+    }
+
+    #[inline(always)]
+    fn step_back(&mut self, step: &[u32; N]) {
+        for (word, step) in self.0.iter_mut().zip(step) {
+            *word = word.wrapping_sub(*step);
         }
     }
 }

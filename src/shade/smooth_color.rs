@@ -60,10 +60,18 @@ const fn packed_slope(blue: i32, red: i32) -> u32 {
 impl Stepped for SmoothColor {
     type Step = (u32, u32);
 
+    const GOES_BACK: bool = true;
+
     #[inline(always)]
     fn step(&mut self, (blue_red, green): &(u32, u32)) {
         self.0.blue_red = self.0.blue_red.wrapping_add(*blue_red);
         self.0.green = self.0.green.wrapping_add(*green);
+    }
+
+    #[inline(always)]
+    fn step_back(&mut self, (blue_red, green): &(u32, u32)) {
+        self.0.blue_red = self.0.blue_red.wrapping_sub(*blue_red);
+        self.0.green = self.0.green.wrapping_sub(*green);
     }
 }
 

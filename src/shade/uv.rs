@@ -50,10 +50,18 @@ pub struct UvPlanes {
 impl Stepped for Uv {
     type Step = UvStep;
 
+    const GOES_BACK: bool = true;
+
     #[inline(always)]
     fn step(&mut self, step: &UvStep) {
         self.u = self.u.wrapping_add(step.right.u);
         self.v = self.v.wrapping_add(step.right.v);
+    }
+
+    #[inline(always)]
+    fn step_back(&mut self, step: &UvStep) {
+        self.u = self.u.wrapping_sub(step.right.u);
+        self.v = self.v.wrapping_sub(step.right.v);
     }
 }
 

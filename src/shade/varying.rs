@@ -9,8 +9,15 @@ pub trait Stepped: Copy {
     /// What is added from one pixel to the next.
     type Step: Copy;
 
+    /// Whether it can also [go back](Self::step_back), to the same bits.
+    const GOES_BACK: bool = false;
+
     /// Goes one pixel to the right.
     fn step(&mut self, step: &Self::Step);
+
+    /// Goes one pixel to the left, where [`GOES_BACK`](Self::GOES_BACK) says so.
+    #[inline(always)]
+    fn step_back(&mut self, _step: &Self::Step) {}
 }
 
 /// A value that varies over a triangle: made at its corners, interpolated to its pixels.
@@ -130,6 +137,8 @@ pub(crate) fn mix_word(a: i32, b: i32, c: i32, u: i32, v: i32) -> i32 {
 impl Stepped for () {
     type Step = ();
 
+    const GOES_BACK: bool = true;
+
     #[inline(always)]
     fn step(&mut self, (): &()) {}
 }
@@ -176,9 +185,16 @@ macro_rules! groups {
         impl<$($group: Stepped),+> Stepped for ($($group,)+) {
             type Step = ($($group::Step,)+);
 
+            const GOES_BACK: bool = true $(&& $group::GOES_BACK)+;
+
             #[inline(always)]
             fn step(&mut self, step: &Self::Step) {
                 $(self.$number.step(&step.$number);)+
+            }
+
+            #[inline(always)]
+            fn step_back(&mut self, step: &Self::Step) {
+                $(self.$number.step_back(&step.$number);)+
             }
         }
 
@@ -264,3 +280,48 @@ groups!(A a 0, B b 1, C c 2, D d 3, E e 4);
 groups!(A a 0, B b 1, C c 2, D d 3, E e 4, F f 5);
 groups!(A a 0, B b 1, C c 2, D d 3, E e 4, F f 5, G g 6);
 groups!(A a 0, B b 1, C c 2, D d 3, E e 4, F f 5, G g 6, H h 7);
+
+#[cfg(test)]
+mod tests {
+    use crate::shade::{
+        Affine, FlatColor, Interpolated, Perspective, Scalar, Scalars, SmoothColor, Stepped, Uv,
+        UvStep,
+    };
+
+    /// Goes forth and comes back.
+    fn check<V: Stepped + PartialEq + core::fmt::Debug>(first: V, step: V::Step) {
+        const { assert!(V::GOES_BACK, "what is checked") };
+        let mut way = [first; 50];
+        for i in 1..way.len() {
+            way[i] = way[i - 1];
+            way[i].step(&step);
+        }
+        let mut back = way[way.len() - 1];
+        for expected in way.iter().rev() {
+            assert_eq!(back, *expected, "on the way back");
+            back.step_back(&step);
+        }
+    }
+
+    #[test]
+    fn varyings_come_back_to_the_same_bits() {
+        let mut bits = 1u32;
+        let mut word = || {
+            bits = bits.wrapping_mul(0x0019_660D).wrapping_add(0x3C6E_F35F);
+            bits
+        };
+        for _ in 0..200 {
+            let [a, b, c, d] = core::array::from_fn(|_| word());
+            let smooth = SmoothColor::value(&(), [a, b, c]);
+            check(smooth, (c, d));
+            check(Scalar(a), b);
+            check(Scalars::<3>::value(&(), [a, b, c]), [d, a, b]);
+            let at = |u: u32, v: u32| Uv { u: u.cast_signed(), v: v.cast_signed() };
+            let step = UvStep { right: at(a, b), down: at(c, d) };
+            check(at(c, d), step);
+            check((smooth, (Scalar(c), ())), ((a, b), (d, ())));
+        }
+        const { assert!(FlatColor::GOES_BACK && <Perspective<Uv, Affine>>::GOES_BACK, "by others") };
+        const { assert!(<Perspective<Uv>>::GOES_BACK, "along a run") };
+    }
+}

@@ -45,9 +45,16 @@ impl<V: Interpolated> PerspectiveVarying for AffineValue<V> {
 impl<V: Stepped> Stepped for AffineValue<V> {
     type Step = V::Step;
 
+    const GOES_BACK: bool = V::GOES_BACK;
+
     #[inline(always)]
     fn step(&mut self, step: &V::Step) {
         self.0.step(step);
+    }
+
+    #[inline(always)]
+    fn step_back(&mut self, step: &V::Step) {
+        self.0.step_back(step);
     }
 }
 

@@ -120,9 +120,16 @@ impl<V: Interpolated, I: Interval> PerspectiveVarying for SubspanValue<V, I> {
 impl<V: Stepped, I: Interval> Stepped for SubspanValue<V, I> {
     type Step = V::Step;
 
+    const GOES_BACK: bool = V::GOES_BACK;
+
     #[inline(always)]
     fn step(&mut self, step: &V::Step) {
         self.value.step(step);
+    }
+
+    #[inline(always)]
+    fn step_back(&mut self, step: &V::Step) {
+        self.value.step_back(step);
     }
 }
 

@@ -48,6 +48,11 @@ pub(crate) fn rolled(n: usize) -> impl Iterator<Item = usize> {
     (0..core::hint::black_box(n)).map(core::hint::black_box)
 }
 
+/// Tells the compiler that what leads here is rare, so that it lays out the other way without a jump.
+#[cold]
+#[inline]
+pub(crate) const fn rare() {}
+
 pub use angle::Angle;
 pub use angle_units::AngleUnits;
 pub use inverse_sqrt::{inverse_sqrt, InverseSqrt};

@@ -494,27 +494,25 @@ impl<V: Varying> Ready<V> {
         };
         let Self { set: (planes, z_plane) } =
             if planes_stay { core::hint::black_box(self) } else { self };
-        let from_last = S::Output::PLAIN && <Access<S>>::TOUCHES && V::GOES_BACK && !V::IN_RUNS;
+        let from_last = S::Output::PLAIN && <Access<S>>::TOUCHES && V::JUMPS;
         for span in spans.by_ref() {
             let Span { y, left, right, .. } = *span;
-            let mut length = right.wrapping_sub(left) as usize;
-            if from_last {
-                // No row is longer. As the compiler knows it, one number is a pixel's place among
-                // colours and cells, and the count.
-                length &= 0xFFFF;
-            }
-            let (pixels, cells) = window.row(y, left, length)?;
+            // No row is longer. As the compiler knows it, one number is a pixel's place among colours
+            // and cells, and the count.
+            let longest = if from_last { 0xFFFF } else { usize::MAX };
             let mut runs = V::runs(planes, span);
             if V::IN_RUNS {
-                let mut cells = cells;
                 let mut x = left;
                 while x < right {
                     let (varying, step, end) = V::run(planes, &mut runs, span, x);
                     let end = end.min(right);
-                    let (from, length) = (x.wrapping_sub(left), end.wrapping_sub(x));
-                    let (from, length) = (from as usize, length as usize);
-                    let pixels = pixels.get_mut(from..)?.get_mut(..length)?;
-                    let cells = <Access<S>>::part(&mut cells, from, length)?;
+                    let length = end.wrapping_sub(x) as usize & longest;
+                    let (pixels, cells) = window.row(y, x, length)?;
+                    let last = from_last.then(|| {
+                        let mut last = varying;
+                        last.jump(&step, (length as i32).wrapping_sub(1));
+                        (last, z_plane.at(end.wrapping_sub(1), y))
+                    });
                     shader.span(Row::<S, F, V> {
                         x,
                         y,
@@ -525,7 +523,7 @@ impl<V: Varying> Ready<V> {
                         may_be_level: true,
                         varying,
                         step,
-                        last: None,
+                        last,
                         depth,
                         output,
                         counter: &mut *counter,
@@ -534,6 +532,8 @@ impl<V: Varying> Ready<V> {
                 }
                 continue;
             }
+            let length = right.wrapping_sub(left) as usize & longest;
+            let (pixels, cells) = window.row(y, left, length)?;
             let (varying, step, _) = V::run(planes, &mut runs, span, left);
             let last = from_last.then(|| {
                 let x = right.wrapping_sub(1);

@@ -8,7 +8,7 @@ pub struct Constant<T>(pub T);
 impl<T: Copy + Default> Stepped for Constant<T> {
     type Step = ();
 
-    const GOES_BACK: bool = true;
+    const JUMPS: bool = true;
 
     #[inline(always)]
     fn step(&mut self, (): &()) {}

@@ -18,7 +18,7 @@ impl FlatColor {
 impl Stepped for FlatColor {
     type Step = ();
 
-    const GOES_BACK: bool = true;
+    const JUMPS: bool = true;
 
     #[inline(always)]
     fn step(&mut self, (): &()) {}

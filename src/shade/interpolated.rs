@@ -9,6 +9,8 @@ use crate::raster::Plane;
 /// # Range
 /// At most 16 bits a word. Between the corners a word is 16.15: 15 fraction bits, below 2^31, so
 /// that the difference of two fits 32 bits.
+///
+/// It [jumps](Stepped::jump).
 pub trait Interpolated: Varying {
     /// One number for each word.
     type Words: Words;
@@ -27,9 +29,6 @@ pub trait Interpolated: Varying {
     /// The step that adds so much to the words for each pixel to the right, and for one down.
     fn step_of(base: &Self::Base, right: Self::Words, down: Self::Words)
         -> <Self as Stepped>::Step;
-
-    /// Goes so many pixels to the right: the same bits as so many [steps](Stepped::step).
-    fn jump(&mut self, step: &Self::Step, pixels: i32);
 }
 
 /// A few words on which the same is done: an array, or a tuple of them.
@@ -134,11 +133,6 @@ macro_rules! groups {
             #[inline(always)]
             fn step_of(base: &Self::Base, right: Self::Words, down: Self::Words) -> Self::Step {
                 ($($group::step_of(&base.$number, right.$number, down.$number),)+)
-            }
-
-            #[inline(always)]
-            fn jump(&mut self, step: &Self::Step, pixels: i32) {
-                $(self.$number.jump(&step.$number, pixels);)+
             }
         }
     };

@@ -1,6 +1,7 @@
 use super::{Blend, ColorOutput, Counter, DepthTest, Dither, SmoothColor, State, Stepped, Verdict};
 use crate::color::{Color, Format};
 use crate::frame::DepthAccess;
+use crate::math::rare;
 
 /// The depth cells of a row under state `S`.
 pub(super) type Access<S> = <<S as State>::Depth as DepthTest>::Access;
@@ -10,11 +11,6 @@ type OutputDither<S> = <<S as State>::Output as ColorOutput>::Dither;
 type Source<S> = <<<S as State>::Output as ColorOutput>::Blend as Blend>::Source;
 /// A row of depth under state `S`.
 pub(crate) type Cells<'a, S> = <Access<S> as DepthAccess>::Cells<'a>;
-
-/// Says that what leads here is rare.
-#[cold]
-#[inline]
-const fn rare() {}
 
 /// The pixel loop from a row's last pixel to its first; `last` and `steps` are of the varying and of
 /// depth.
@@ -40,13 +36,15 @@ fn from_last<F: Format, V: Stepped>(
                 counter.pixels(1);
                 // Neither unrolled, which spills, nor made of conditional instructions.
                 core::hint::black_box(());
+            } else {
+                rare();
             }
         } else {
             // Otherwise a visible pixel takes a jump more.
             rare();
         }
         z = z.wrapping_sub(z_step);
-        varying.step_back(&step);
+        varying.jump(&step, -1);
     }
 }
 
@@ -119,10 +117,27 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         self,
         change: impl FnOnce(V, V::Step) -> (W, W::Step),
     ) -> Row<'a, S, F, W> {
-        let Self { x, y, pixels, cells, z, z_step, may_be_level, .. } = self;
-        let Self { varying, step, depth, output, counter, .. } = self;
-        let (varying, step) = change(varying, step);
-        let last = None;
+        let (varying, step) = change(self.varying, self.step);
+        self.of(varying, step, None)
+    }
+
+    /// The same where values, of which two may be needed, and step are changed apart.
+    #[inline(always)]
+    pub(super) fn convert_apart<W: Stepped>(
+        self,
+        value: impl Fn(V) -> W,
+        step: impl FnOnce(V::Step) -> W::Step,
+    ) -> Row<'a, S, F, W> {
+        let (varying, step) = (value(self.varying), step(self.step));
+        let last = self.last.map(|(last, z)| (value(last), z));
+        self.of(varying, step, last)
+    }
+
+    /// The same pixels with another value.
+    #[inline(always)]
+    fn of<W: Stepped>(self, varying: W, step: W::Step, last: Option<(W, u32)>) -> Row<'a, S, F, W> {
+        let Self { x, y, pixels, cells, z, z_step, may_be_level, depth, output, counter, .. } =
+            self;
         Row {
             x,
             y,
@@ -170,7 +185,7 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         }
         let Self { pixels, mut cells, mut z, z_step, mut varying, step, last, .. } = self;
         let Self { depth, counter, .. } = self;
-        if let (true, Some(last)) = (<Access<S>>::TOUCHES && V::GOES_BACK, last) {
+        if let (true, Some(last)) = (<Access<S>>::TOUCHES && V::JUMPS, last) {
             cells = match <Access<S>>::codes(cells) {
                 Ok(codes) => {
                     let steps = (step, z_step);

@@ -17,7 +17,7 @@ impl Scalar {
 impl Stepped for Scalar {
     type Step = u32;
 
-    const GOES_BACK: bool = true;
+    const JUMPS: bool = true;
 
     #[inline(always)]
     fn step(&mut self, step: &u32) {
@@ -25,8 +25,8 @@ impl Stepped for Scalar {
     }
 
     #[inline(always)]
-    fn step_back(&mut self, step: &u32) {
-        self.0 = self.0.wrapping_sub(*step);
+    fn jump(&mut self, step: &u32, pixels: i32) {
+        self.0 = self.0.wrapping_add(step.wrapping_mul(pixels.cast_unsigned()));
     }
 }
 
@@ -85,10 +85,5 @@ impl Interpolated for Scalar {
     #[inline(always)]
     fn step_of((): &(), [right]: [u32; 1], _down: [u32; 1]) -> u32 {
         right << 1
-    }
-
-    #[inline(always)]
-    fn jump(&mut self, step: &u32, pixels: i32) {
-        self.0 = self.0.wrapping_add(step.wrapping_mul(pixels.cast_unsigned()));
     }
 }

@@ -32,7 +32,7 @@ impl<const N: usize> Scalars<N> {
 impl<const N: usize> Stepped for Scalars<N> {
     type Step = [u32; N];
 
-    const GOES_BACK: bool = true;
+    const JUMPS: bool = true;
 
     #[inline(always)]
     fn step(&mut self, step: &[u32; N]) {
@@ -42,9 +42,9 @@ impl<const N: usize> Stepped for Scalars<N> {
     }
 
     #[inline(always)]
-    fn step_back(&mut self, step: &[u32; N]) {
+    fn jump(&mut self, step: &[u32; N], pixels: i32) {
         for (word, step) in self.0.iter_mut().zip(step) {
-            *word = word.wrapping_sub(*step);
+            *word = word.wrapping_add(step.wrapping_mul(pixels.cast_unsigned()));
         }
     }
 }
@@ -127,12 +127,5 @@ where
     #[inline(always)]
     fn step_of((): &(), right: [u32; N], _down: [u32; N]) -> [u32; N] {
         right.map(|word| word << 1)
-    }
-
-    #[inline(always)]
-    fn jump(&mut self, step: &[u32; N], pixels: i32) {
-        for (word, step) in self.0.iter_mut().zip(step) {
-            *word = word.wrapping_add(step.wrapping_mul(pixels.cast_unsigned()));
-        }
     }
 }

@@ -60,7 +60,7 @@ const fn packed_slope(blue: i32, red: i32) -> u32 {
 impl Stepped for SmoothColor {
     type Step = (u32, u32);
 
-    const GOES_BACK: bool = true;
+    const JUMPS: bool = true;
 
     #[inline(always)]
     fn step(&mut self, (blue_red, green): &(u32, u32)) {
@@ -69,9 +69,10 @@ impl Stepped for SmoothColor {
     }
 
     #[inline(always)]
-    fn step_back(&mut self, (blue_red, green): &(u32, u32)) {
-        self.0.blue_red = self.0.blue_red.wrapping_sub(*blue_red);
-        self.0.green = self.0.green.wrapping_sub(*green);
+    fn jump(&mut self, (blue_red, green): &(u32, u32), pixels: i32) {
+        let pixels = pixels.cast_unsigned();
+        self.0.blue_red = self.0.blue_red.wrapping_add(blue_red.wrapping_mul(pixels));
+        self.0.green = self.0.green.wrapping_add(green.wrapping_mul(pixels));
     }
 }
 
@@ -171,13 +172,6 @@ impl Interpolated for SmoothColor {
     fn step_of((): &(), right: [u32; 3], _down: [u32; 3]) -> (u32, u32) {
         let [blue, green, red] = right.map(|word| word << 1);
         (packed_slope(blue.cast_signed(), red.cast_signed()), green)
-    }
-
-    #[inline(always)]
-    fn jump(&mut self, (blue_red, green): &(u32, u32), pixels: i32) {
-        let pixels = pixels.cast_unsigned();
-        self.0.blue_red = self.0.blue_red.wrapping_add(blue_red.wrapping_mul(pixels));
-        self.0.green = self.0.green.wrapping_add(green.wrapping_mul(pixels));
     }
 }
 

@@ -117,11 +117,13 @@ where
         let step = <Perspective<Uv, M>>::inner_step(&row.step().1);
         let sampler = self.sampler.level(|| footprint(step));
         if <Perspective<Uv, M>>::LINEAR {
-            let row = row.convert(|(surface, uv), (surface_step, step)| {
-                let UvStep { right, down } = *<Perspective<Uv, M>>::inner_step(&step);
-                let step = UvStep { right: sampler.begun_way(right), down };
-                ((surface, sampler.begin(*uv)), (surface_step, step))
-            });
+            let row = row.convert_apart(
+                |(surface, uv)| (surface, sampler.begin(*uv)),
+                |(surface_step, step)| {
+                    let UvStep { right, down } = *<Perspective<Uv, M>>::inner_step(&step);
+                    (surface_step, UvStep { right: sampler.begun_way(right), down })
+                },
+            );
             return row.each(|(surface, uv)| {
                 let color = self.surface.fragment(prepared, surface)?;
                 Some(self.environment.combine(sampler.fetch_begun(*uv)?, color))

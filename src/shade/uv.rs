@@ -50,7 +50,7 @@ pub struct UvPlanes {
 impl Stepped for Uv {
     type Step = UvStep;
 
-    const GOES_BACK: bool = true;
+    const JUMPS: bool = true;
 
     #[inline(always)]
     fn step(&mut self, step: &UvStep) {
@@ -59,9 +59,9 @@ impl Stepped for Uv {
     }
 
     #[inline(always)]
-    fn step_back(&mut self, step: &UvStep) {
-        self.u = self.u.wrapping_sub(step.right.u);
-        self.v = self.v.wrapping_sub(step.right.v);
+    fn jump(&mut self, step: &UvStep, pixels: i32) {
+        self.u = self.u.wrapping_add(step.right.u.wrapping_mul(pixels));
+        self.v = self.v.wrapping_add(step.right.v.wrapping_mul(pixels));
     }
 }
 
@@ -184,11 +184,5 @@ impl Interpolated for Uv {
     fn step_of(base: &UvBase, right: [u32; 2], down: [u32; 2]) -> UvStep {
         let of = |[u, v]: [u32; 2]| Self { u: base.u.step(u), v: base.v.step(v) };
         UvStep { right: of(right), down: of(down) }
-    }
-
-    #[inline(always)]
-    fn jump(&mut self, step: &UvStep, pixels: i32) {
-        self.u = self.u.wrapping_add(step.right.u.wrapping_mul(pixels));
-        self.v = self.v.wrapping_add(step.right.v.wrapping_mul(pixels));
     }
 }

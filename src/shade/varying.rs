@@ -9,15 +9,17 @@ pub trait Stepped: Copy {
     /// What is added from one pixel to the next.
     type Step: Copy;
 
-    /// Whether it can also [go back](Self::step_back), to the same bits.
-    const GOES_BACK: bool = false;
+    /// Whether it can [jump](Self::jump).
+    const JUMPS: bool = false;
 
     /// Goes one pixel to the right.
     fn step(&mut self, step: &Self::Step);
 
-    /// Goes one pixel to the left, where [`GOES_BACK`](Self::GOES_BACK) says so.
+    /// Goes so many pixels to the right, or back where they are negative: the same bits as so many
+    /// [steps](Self::step). Where [`JUMPS`](Self::JUMPS) says so; then rows may be drawn from their
+    /// last pixel.
     #[inline(always)]
-    fn step_back(&mut self, _step: &Self::Step) {}
+    fn jump(&mut self, _step: &Self::Step, _pixels: i32) {}
 }
 
 /// A value that varies over a triangle: made at its corners, interpolated to its pixels.
@@ -137,7 +139,7 @@ pub(crate) fn mix_word(a: i32, b: i32, c: i32, u: i32, v: i32) -> i32 {
 impl Stepped for () {
     type Step = ();
 
-    const GOES_BACK: bool = true;
+    const JUMPS: bool = true;
 
     #[inline(always)]
     fn step(&mut self, (): &()) {}
@@ -185,7 +187,7 @@ macro_rules! groups {
         impl<$($group: Stepped),+> Stepped for ($($group,)+) {
             type Step = ($($group::Step,)+);
 
-            const GOES_BACK: bool = true $(&& $group::GOES_BACK)+;
+            const JUMPS: bool = true $(&& $group::JUMPS)+;
 
             #[inline(always)]
             fn step(&mut self, step: &Self::Step) {
@@ -193,8 +195,8 @@ macro_rules! groups {
             }
 
             #[inline(always)]
-            fn step_back(&mut self, step: &Self::Step) {
-                $(self.$number.step_back(&step.$number);)+
+            fn jump(&mut self, step: &Self::Step, pixels: i32) {
+                $(self.$number.jump(&step.$number, pixels);)+
             }
         }
 
@@ -290,16 +292,17 @@ mod tests {
 
     /// Goes forth and comes back.
     fn check<V: Stepped + PartialEq + core::fmt::Debug>(first: V, step: V::Step) {
-        const { assert!(V::GOES_BACK, "what is checked") };
+        const { assert!(V::JUMPS, "what is checked") };
         let mut way = [first; 50];
         for i in 1..way.len() {
             way[i] = way[i - 1];
             way[i].step(&step);
         }
-        let mut back = way[way.len() - 1];
+        let mut back = first;
+        back.jump(&step, 49);
         for expected in way.iter().rev() {
             assert_eq!(back, *expected, "on the way back");
-            back.step_back(&step);
+            back.jump(&step, -1);
         }
     }
 
@@ -321,7 +324,7 @@ mod tests {
             check(at(c, d), step);
             check((smooth, (Scalar(c), ())), ((a, b), (d, ())));
         }
-        const { assert!(FlatColor::GOES_BACK && <Perspective<Uv, Affine>>::GOES_BACK, "by others") };
-        const { assert!(<Perspective<Uv>>::GOES_BACK, "along a run") };
+        const { assert!(FlatColor::JUMPS && <Perspective<Uv, Affine>>::JUMPS, "by others") };
+        const { assert!(<Perspective<Uv>>::JUMPS, "along a run") };
     }
 }

@@ -45,7 +45,7 @@ impl<V: Interpolated> PerspectiveVarying for AffineValue<V> {
 impl<V: Stepped> Stepped for AffineValue<V> {
     type Step = V::Step;
 
-    const GOES_BACK: bool = V::GOES_BACK;
+    const JUMPS: bool = V::JUMPS;
 
     #[inline(always)]
     fn step(&mut self, step: &V::Step) {
@@ -53,8 +53,8 @@ impl<V: Stepped> Stepped for AffineValue<V> {
     }
 
     #[inline(always)]
-    fn step_back(&mut self, step: &V::Step) {
-        self.0.step_back(step);
+    fn jump(&mut self, step: &V::Step, pixels: i32) {
+        self.0.jump(step, pixels);
     }
 }
 

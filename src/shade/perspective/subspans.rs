@@ -120,7 +120,7 @@ impl<V: Interpolated, I: Interval> PerspectiveVarying for SubspanValue<V, I> {
 impl<V: Stepped, I: Interval> Stepped for SubspanValue<V, I> {
     type Step = V::Step;
 
-    const GOES_BACK: bool = V::GOES_BACK;
+    const JUMPS: bool = V::JUMPS;
 
     #[inline(always)]
     fn step(&mut self, step: &V::Step) {
@@ -128,8 +128,8 @@ impl<V: Stepped, I: Interval> Stepped for SubspanValue<V, I> {
     }
 
     #[inline(always)]
-    fn step_back(&mut self, step: &V::Step) {
-        self.value.step_back(step);
+    fn jump(&mut self, step: &V::Step, pixels: i32) {
+        self.value.jump(step, pixels);
     }
 }
 

@@ -1,5 +1,5 @@
 use crate::color::{Color, Rgb565};
-use crate::math::BY_HALVES;
+use crate::math::{rare, BY_HALVES};
 use crate::texture::{PaletteEntry, TexelFormat, Weights};
 
 /// Bits are repeated: what goes into an RGB565 frame unchanged is the texel's own bits, and in
@@ -14,7 +14,12 @@ impl TexelFormat for Rgb565 {
 
     #[inline(always)]
     fn fetch(words: &[u16], (): &(), index: usize) -> Option<u16> {
-        words.get(index).copied()
+        if index < words.len() {
+            words.get(index).copied()
+        } else {
+            rare();
+            None
+        }
     }
 
     #[inline(always)]

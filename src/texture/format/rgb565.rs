@@ -32,17 +32,19 @@ impl TexelFormat for Rgb565 {
         constants: [u32; 2],
     ) -> Option<Color> {
         let [x, y] = weights.coarse();
-        let fields = match place.and_then(|index| square_at(words, index, row)) {
-            Some([upper, lower]) => {
-                let upper = mixed(upper, 0, x, constants);
-                // Nothing comes over, which the compiler cannot know: mixed sooner, lower texels
-                // would need registers that there are not.
-                let lower = mixed(lower, upper >> 27, x, constants);
-                between(upper, lower, y, constants)
+        let fields = place.and_then(|index| {
+            if !ONE_WORD {
+                let texels = square_apart(words, index, row)?;
+                return Some(blended(texels, [x, y], constants));
             }
+            let rows = square_at(words, index, row)?;
+            let [upper, lower] = rows.map(|pair| mixed(pair, x, constants));
+            Some(between(upper, lower, y, constants))
+        });
+        Some(shown(match fields {
+            Some(fields) => fields,
             None => at_edge(corners, [x, y], constants)?,
-        };
-        Some(shown(fields))
+        }))
     }
 
     #[inline(always)]
@@ -79,7 +81,7 @@ impl TexelFormat for Rgb565 {
     /// Three channels in one multiplication, spread over a word.
     #[inline(always)]
     fn blend([a, b, c, d]: [u16; 4], weights: Weights, constants: [u32; 2]) -> Color {
-        shown(blended([a, b, c, d], weights.coarse(), constants))
+        shown(blended([&a, &b, &c, &d], weights.coarse(), constants))
     }
 }
 
@@ -93,15 +95,42 @@ const HALVES: u32 = 0x0200_8010;
 /// Texel `index` and the next one, and both a row behind.
 #[inline(always)]
 fn square_at(words: &[u16], index: usize, row: usize) -> Option<[&[u16; 2]; 2]> {
-    let square = words.get(index..index.wrapping_add(row).wrapping_add(2))?;
-    Some([square.first_chunk()?, square.get(row..)?.first_chunk()?])
+    let below = words.get(row.min(words.len())..)?;
+    let above = words.get(..below.len())?;
+    let pair = index..index.wrapping_add(2);
+    Some([above.get(pair.clone())?.first_chunk()?, below.get(pair)?.first_chunk()?])
+}
+
+/// The same where they are read one by one: from four parts of the data that are of one length, so
+/// that one check serves all.
+#[inline(always)]
+fn square_apart(words: &[u16], index: usize, row: usize) -> Option<[&u16; 4]> {
+    let lower = words.get(row.min(words.len())..)?;
+    let upper = words.get(..lower.len())?;
+    let second = 1.min(lower.len());
+    let (upper_right, lower_right) = (upper.get(second..)?, lower.get(second..)?);
+    let length = lower_right.len();
+    let (upper_left, lower_left) = (upper.get(..length)?, lower.get(..length)?);
+    if index >= length {
+        rare();
+        return None;
+    }
+    Some([
+        upper_left.get(index)?,
+        upper_right.get(index)?,
+        lower_left.get(index)?,
+        lower_right.get(index)?,
+    ])
 }
 
 /// The fields between four texels.
 #[inline(always)]
-fn blended([a, b, c, d]: [u16; 4], [x, y]: [u32; 2], constants: [u32; 2]) -> u32 {
-    let (upper, lower) = (mixed(&[a, b], 0, x, constants), mixed(&[c, d], 0, x, constants));
-    between(upper, lower, y, constants)
+fn blended([a, b, c, d]: [&u16; 4], [x, y]: [u32; 2], constants: [u32; 2]) -> u32 {
+    let [fields, _] = constants;
+    // Through references: loads stay where the halves are wanted.
+    let doubled = |texel: &u16| (u32::from(*texel) | u32::from(*texel) << 16) & fields;
+    let across = |from: &u16, to: &u16| between(doubled(from), doubled(to), x, constants);
+    between(across(a, b), across(c, d), y, constants)
 }
 
 /// The same of texels that are no square of the data: apart, so that the pixel loop keeps its
@@ -113,41 +142,25 @@ fn at_edge(
     weights: [u32; 2],
     constants: [u32; 2],
 ) -> Option<u32> {
-    Some(blended(corners()?, weights, constants))
+    Some(blended(corners()?.each_ref(), weights, constants))
 }
 
-/// Two texels, each in both halves of a word; `order` is 0, and known later than the texels.
-#[inline(always)]
-fn doubled(texels: &[u16; 2], order: u32) -> [u32; 2] {
-    const ONE_WORD: bool =
-        cfg!(all(target_endian = "little", not(target_arch = "riscv32"))) && !BY_HALVES;
-    if ONE_WORD {
-        doubled_from_a_word(texels, order)
-    } else {
-        doubled_alone(texels)
-    }
-}
+/// Whether two texels are read as one word, wherever it lies, whose lower half is the first.
+const ONE_WORD: bool =
+    cfg!(all(target_endian = "little", not(target_arch = "riscv32"))) && !BY_HALVES;
 
-/// Reads both as one word, wherever it lies, whose lower half is the first.
+/// Two texels, each in both halves of a word, where they are [read as one](ONE_WORD).
 #[inline(always)]
-fn doubled_from_a_word(texels: &[u16; 2], order: u32) -> [u32; 2] {
-    let pair = bytemuck::cast::<_, u32>(*texels) | order;
+fn doubled(texels: &[u16; 2]) -> [u32; 2] {
+    let pair = bytemuck::cast::<_, u32>(*texels);
     [pair & 0xFFFF | pair << 16, pair & 0xFFFF_0000 | pair >> 16]
-}
-
-/// Reads one after the other.
-#[inline(always)]
-fn doubled_alone(texels: &[u16; 2]) -> [u32; 2] {
-    let [from, to] = texels;
-    // Through references: loads stay where the halves are wanted.
-    [from, to].map(|texel| u32::from(*texel) | u32::from(*texel) << 16)
 }
 
 /// The fields of a texel between two others, rounded; `weight` from 0 to 31.
 #[inline(always)]
-fn mixed(texels: &[u16; 2], order: u32, weight: u32, constants: [u32; 2]) -> u32 {
+fn mixed(texels: &[u16; 2], weight: u32, constants: [u32; 2]) -> u32 {
     let [fields, _] = constants;
-    let [from, to] = doubled(texels, order).map(|doubled| doubled & fields);
+    let [from, to] = doubled(texels).map(|doubled| doubled & fields);
     between(from, to, weight, constants)
 }
 
@@ -214,15 +227,29 @@ mod tests {
     }
 
     #[test]
+    fn squares_are_the_same_texels_however_they_are_read() {
+        let words: [u16; 12] = core::array::from_fn(|i| i as u16 * 5000 + 7);
+        for row in 0..14 {
+            for index in (0..14).chain([usize::MAX - 1, usize::MAX]) {
+                let apart = square_apart(&words, index, row).map(|texels| texels.map(|t| *t));
+                let fits = index.checked_add(row + 1).is_some_and(|last| last < words.len());
+                let expected = fits.then(|| [0, 1, row, row + 1].map(|i| words[index + i]));
+                assert_eq!(apart, expected, "texel {index}, rows of {row}");
+                if index < 14 {
+                    let pairs = square_at(&words, index, row);
+                    let together = pairs.map(|[[a, b], [c, d]]| [*a, *b, *c, *d]);
+                    assert_eq!(together, expected, "texel {index}, rows of {row}, by pairs");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn two_texels_are_doubled_in_their_order() {
-        let pairs = [[0x1234u16, 0xFEDC], [0, u16::MAX], [u16::MAX, 0]];
-        for [from, to] in pairs {
+        for [from, to] in [[0x1234u16, 0xFEDC], [0, u16::MAX], [u16::MAX, 0]] {
             let twice = |texel: u16| u32::from(texel) * 0x0001_0001;
-            let expected = [twice(from), twice(to)];
-            assert_eq!(doubled(&[from, to], 0), expected, "{from:x}, {to:x}");
-            assert_eq!(doubled_alone(&[from, to]), expected, "{from:x}, {to:x}");
             if cfg!(target_endian = "little") {
-                assert_eq!(doubled_from_a_word(&[from, to], 0), expected, "{from:x}, {to:x}");
+                assert_eq!(doubled(&[from, to]), [from, to].map(twice), "{from:x}, {to:x}");
             }
         }
     }

@@ -510,8 +510,9 @@ impl<V: Varying> Ready<V> {
                     let (pixels, cells) = window.row(y, x, length)?;
                     let last = from_last.then(|| {
                         let mut last = varying;
-                        last.jump(&step, (length as i32).wrapping_sub(1));
-                        (last, z_plane.at(end.wrapping_sub(1), y))
+                        let x_of_last = end.wrapping_sub(1);
+                        last.jump(&step, x_of_last.wrapping_sub(x));
+                        (last, z_plane.at(x_of_last, y))
                     });
                     shader.span(Row::<S, F, V> {
                         x,

@@ -125,7 +125,6 @@ mod tests {
             expected.1[i] = if passes && depth.writes() { code } else { stored };
             along = along.wrapping_add(z_step);
         }
-        let behind = z.wrapping_add(z_step.wrapping_mul(codes.len() as u32));
         let ways = [
             ("as this core does", false),
             ("by codes", false),
@@ -152,7 +151,7 @@ mod tests {
                     may_be_level: true,
                     varying: (),
                     step: (),
-                    last: from_last.then(|| ((), behind.wrapping_sub(z_step))),
+                    last: from_last.then(|| ((), along.wrapping_sub(z_step))),
                     depth: &depth,
                     output: &output,
                     counter: &mut counter,

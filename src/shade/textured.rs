@@ -126,7 +126,7 @@ where
             );
             return row.each(|(surface, uv)| {
                 let color = self.surface.fragment(prepared, surface)?;
-                Some(self.environment.combine(sampler.fetch_begun(*uv)?, color))
+                self.environment.combine_begun(&sampler, *uv, color)
             });
         }
         row.each(|(surface, uv)| {

@@ -1,9 +1,18 @@
+use super::Sample;
 use crate::color::Color;
+use crate::shade::Uv;
 
 /// How a texel and the surface's colour become one: the texture environment of OpenGL 1.x.
 pub trait Environment {
     /// The colour of a fragment.
     fn combine(&self, texel: Color, surface: Color) -> Color;
+
+    /// The same of the texel at coordinates that have [begun](Sample::begin).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn combine_begun(&self, sampler: &impl Sample, uv: Uv, surface: Color) -> Option<Color> {
+        Some(self.combine(sampler.fetch_begun(uv)?, surface))
+    }
 }
 
 /// Texel x surface, alpha too: light falls on the picture.
@@ -21,6 +30,11 @@ impl Environment for Modulate {
         let blue = product(texel.blue_red >> 16, surface.blue_red >> 16) & HIGH;
         let green = product(texel.green >> 16, surface.green >> 16) & HIGH;
         Color { blue_red: blue | red, green: green | alpha(texel, surface) }
+    }
+
+    #[inline(always)]
+    fn combine_begun(&self, sampler: &impl Sample, uv: Uv, surface: Color) -> Option<Color> {
+        sampler.modulate_begun(uv, surface)
     }
 }
 

@@ -1,3 +1,4 @@
+use super::texel_format::multiplied;
 use super::{Axis, TexelFormat, Texture, Weights, Wrap};
 use crate::color::Color;
 
@@ -9,7 +10,8 @@ pub trait Filter: Copy {
 
     /// The colour of `texture` where both coordinates have [begun](Self::begin); `None` beyond its
     /// data, which checked sizes rule out. `constants` are the format's
-    /// [`CONSTANTS`](TexelFormat::CONSTANTS).
+    /// [`CONSTANTS`](TexelFormat::CONSTANTS); the colour is [multiplied](super::Modulate) with that of
+    /// a `surface`.
     fn sample<T: TexelFormat, U: Wrap, V: Wrap>(
         self,
         texture: &Texture<'_, T>,
@@ -17,6 +19,7 @@ pub trait Filter: Copy {
         axes: &[Axis; 2],
         uv: [i32; 2],
         constants: [u32; 2],
+        surface: Option<Color>,
     ) -> Option<Color>;
 }
 
@@ -45,8 +48,13 @@ impl Filter for Nearest {
         [u_axis, v_axis]: &[Axis; 2],
         [u, v]: [i32; 2],
         _constants: [u32; 2],
+        surface: Option<Color>,
     ) -> Option<Color> {
-        texture.texel(across.nearest(u_axis, u), down.nearest(v_axis, v)).map(T::decode)
+        let texel = texture.texel(across.nearest(u_axis, u), down.nearest(v_axis, v))?;
+        Some(match surface {
+            Some(surface) => T::modulate(texel, surface),
+            None => T::decode(texel),
+        })
     }
 }
 
@@ -107,6 +115,7 @@ impl Filter for Bilinear {
         axes: &[Axis; 2],
         [u, v]: [i32; 2],
         constants: [u32; 2],
+        surface: Option<Color>,
     ) -> Option<Color> {
         let ((across, down), [u_axis, v_axis]) = (wraps, axes);
         let (left, x) = across.place(u_axis, u, T::PLACES);
@@ -118,7 +127,7 @@ impl Filter for Bilinear {
         // Of copies, so that the originals stay in registers.
         let (whole, axes) = (*texture, *axes);
         let corners = move || corners(&whole, wraps, &axes, [u, v], T::PLACES);
-        texture.blend_square(place, u_axis.row(1), corners, weights, constants)
+        texture.blend_square(place, u_axis.row(1), corners, weights, constants, surface)
     }
 }
 
@@ -136,12 +145,13 @@ impl Filter for FineBilinear {
         axes: &[Axis; 2],
         [u, v]: [i32; 2],
         _constants: [u32; 2],
+        surface: Option<Color>,
     ) -> Option<Color> {
         let ((across, down), [u_axis, v_axis]) = (wraps, axes);
         let (_, x) = across.place(u_axis, u, FINE);
         let (_, y) = down.place(v_axis, v, FINE);
         let texels = corners(texture, wraps, axes, [u, v], FINE)?;
-        Some(T::mix(texels, Weights::new(x, y)))
+        Some(multiplied(T::mix(texels, Weights::new(x, y)), surface))
     }
 }
 
@@ -175,11 +185,14 @@ impl Filter for AnyFilter {
         axes: &[Axis; 2],
         [u, v]: [i32; 2],
         constants: [u32; 2],
+        surface: Option<Color>,
     ) -> Option<Color> {
         match self {
-            Self::Nearest => Nearest.sample(texture, wraps, axes, [u, v], constants),
-            Self::Bilinear => Bilinear.sample(texture, wraps, axes, [u, v], constants),
-            Self::FineBilinear => FineBilinear.sample(texture, wraps, axes, [u, v], constants),
+            Self::Nearest => Nearest.sample(texture, wraps, axes, [u, v], constants, surface),
+            Self::Bilinear => Bilinear.sample(texture, wraps, axes, [u, v], constants, surface),
+            Self::FineBilinear => {
+                FineBilinear.sample(texture, wraps, axes, [u, v], constants, surface)
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-use super::Footprint;
+use super::{Environment, Footprint, Modulate};
 use crate::color::Color;
 use crate::shade::Uv;
 
@@ -31,5 +31,12 @@ pub trait Sample {
     #[inline(always)]
     fn fetch_begun(&self, Uv { u, v }: Uv) -> Option<Color> {
         self.fetch(u, v)
+    }
+
+    /// The same [multiplied](Modulate) with a surface's colour: formats may multiply what is still
+    /// packed.
+    #[inline(always)]
+    fn modulate_begun(&self, uv: Uv, surface: Color) -> Option<Color> {
+        Some(Modulate.combine(self.fetch_begun(uv)?, surface))
     }
 }

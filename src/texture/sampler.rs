@@ -124,7 +124,7 @@ impl<'a, T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sampler<'a, T, F, U, V> {
     /// pixel loop has nothing else to draw then, and keeps texels packed where formats agree.
     #[inline(always)]
     pub fn fetch(&self, u: i32, v: i32) -> Option<Color> {
-        self.fetch_begun(self.begin(Uv { u, v }))
+        self.fetch_begun(self.begin(Uv { u, v }), None)
     }
 
     /// Coordinates in the form that a run of pixels steps: see [`Sample::begin`].
@@ -135,11 +135,11 @@ impl<'a, T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sampler<'a, T, F, U, V> {
         Uv { u, v: self.filter.begin::<T, V>(down, v_axis, v) }
     }
 
-    /// The colour there.
+    /// The colour there, multiplied with that of a surface.
     #[inline(always)]
-    fn fetch_begun(&self, Uv { u, v }: Uv) -> Option<Color> {
+    fn fetch_begun(&self, Uv { u, v }: Uv, surface: Option<Color>) -> Option<Color> {
         let Self { texture, axes, filter, wraps, constants } = self;
-        filter.sample(texture, *wraps, axes, [u, v], *constants)
+        filter.sample(texture, *wraps, axes, [u, v], *constants, surface)
     }
 }
 
@@ -169,6 +169,11 @@ impl<T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sample for Sampler<'_, T, F, U
 
     #[inline(always)]
     fn fetch_begun(&self, uv: Uv) -> Option<Color> {
-        self.fetch_begun(uv)
+        self.fetch_begun(uv, None)
+    }
+
+    #[inline(always)]
+    fn modulate_begun(&self, uv: Uv, surface: Color) -> Option<Color> {
+        self.fetch_begun(uv, Some(surface))
     }
 }

@@ -1,4 +1,4 @@
-use super::Weights;
+use super::{Environment, Modulate, Weights};
 use crate::color::Color;
 
 /// How the texels of a [`Texture`](super::Texture) are stored.
@@ -28,6 +28,12 @@ pub trait TexelFormat {
     /// The colour of a texel.
     fn decode(texel: Self::Texel) -> Color;
 
+    /// The colour of a texel [multiplied](Modulate) with that of a surface.
+    #[inline(always)]
+    fn modulate(texel: Self::Texel, surface: Color) -> Color {
+        Modulate.combine(Self::decode(texel), surface)
+    }
+
     /// The colour between the four texels of a square: upper left, upper right, lower left, lower
     /// right.
     ///
@@ -46,7 +52,8 @@ pub trait TexelFormat {
 
     /// The same of texel `index`, the next one, and both a row behind, that is, so many texels; of
     /// `corners` where there is no such place, or it is beyond the end of the data. A format may
-    /// look up a square with one check.
+    /// look up a square with one check, and [multiply](Modulate) with the colour of a `surface` what is
+    /// still packed.
     #[inline(always)]
     fn blend_square(
         _words: &[Self::Word],
@@ -55,8 +62,18 @@ pub trait TexelFormat {
         corners: impl FnOnce() -> Option<[Self::Texel; 4]>,
         weights: Weights,
         constants: [u32; 2],
+        surface: Option<Color>,
     ) -> Option<Color> {
-        Some(Self::blend(corners()?, weights, constants))
+        Some(multiplied(Self::blend(corners()?, weights, constants), surface))
+    }
+}
+
+/// A texel multiplied with the colour of a surface, if there is one.
+#[inline(always)]
+pub(super) fn multiplied(texel: Color, surface: Option<Color>) -> Color {
+    match surface {
+        Some(surface) => Modulate.combine(texel, surface),
+        None => texel,
     }
 }
 

@@ -127,7 +127,7 @@ impl<'a, T: TexelFormat> Texture<'a, T> {
     }
 
     /// What texel `place`, the one behind it, and both below show between them, or `corners` where
-    /// there is no such place. A row has so many texels.
+    /// there is no such place, multiplied with the colour of a `surface`. A row has so many texels.
     #[inline(always)]
     pub(super) fn blend_square(
         &self,
@@ -136,7 +136,8 @@ impl<'a, T: TexelFormat> Texture<'a, T> {
         corners: impl FnOnce() -> Option<[T::Texel; 4]>,
         weights: Weights,
         constants: [u32; 2],
+        surface: Option<Color>,
     ) -> Option<Color> {
-        T::blend_square(self.words, place, row, corners, weights, constants)
+        T::blend_square(self.words, place, row, corners, weights, constants, surface)
     }
 }

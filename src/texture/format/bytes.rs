@@ -38,6 +38,11 @@ macro_rules! in_bytes {
             }
 
             #[inline(always)]
+            fn modulate(texel: u16, surface: Color) -> Color {
+                F::modulate(texel, surface)
+            }
+
+            #[inline(always)]
             fn mix(texels: [u16; 4], weights: Weights) -> Color {
                 F::mix(texels, weights)
             }

@@ -30,6 +30,7 @@ impl TexelFormat for Rgb565 {
         corners: impl FnOnce() -> Option<[u16; 4]>,
         weights: Weights,
         constants: [u32; 2],
+        surface: Option<Color>,
     ) -> Option<Color> {
         let [x, y] = weights.coarse();
         let fields = place.and_then(|index| {
@@ -41,10 +42,19 @@ impl TexelFormat for Rgb565 {
             let [upper, lower] = rows.map(|pair| mixed(pair, x, constants));
             Some(between(upper, lower, y, constants))
         });
-        Some(shown(match fields {
+        let fields = match fields {
             Some(fields) => fields,
             None => at_edge(corners, [x, y], constants)?,
-        }))
+        };
+        Some(match surface {
+            Some(surface) => modulated(fields, surface),
+            None => shown(fields),
+        })
+    }
+
+    #[inline(always)]
+    fn modulate(texel: u16, surface: Color) -> Color {
+        modulated((u32::from(texel) | u32::from(texel) << 16) & FIELDS, surface)
     }
 
     #[inline(always)]
@@ -179,11 +189,28 @@ const fn shown(fields: u32) -> Color {
     Rgb565::decode((fields | fields >> 16) as u16)
 }
 
+/// The colour of fields [multiplied](crate::texture::Modulate) with that of a surface.
+///
+/// A channel of eight bits, and the half that lies above it, are twice the channel and one in 512ths:
+/// bits of a field that is repeated once.
+#[inline(always)]
+const fn modulated(fields: u32, surface: Color) -> Color {
+    // Green stays above.
+    let blue_red = fields.wrapping_mul(33) | 0x1002;
+    let (blue, red) = (blue_red >> 1 & 0x1FF, blue_red >> 12 & 0x1FF);
+    let green = fields >> 18 | fields >> 24 | 1;
+    let blue = blue.wrapping_mul(surface.blue_red >> 16) >> 9;
+    let red = red.wrapping_mul(surface.blue_red & 0xFFFF) >> 9;
+    let green = green.wrapping_mul(surface.green >> 16) >> 9;
+    Color { blue_red: blue << 16 | red, green: green << 16 | surface.green & Color::OPAQUE }
+}
+
 impl PaletteEntry for Rgb565 {}
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::texture::{Environment, Modulate};
 
     /// Between two values of a channel, rounded; at most 63, so that 16 bits hold the sum.
     fn between_two(from: u16, to: u16, weight: u16) -> u16 {
@@ -211,7 +238,8 @@ mod tests {
                 let constants = Rgb565::CONSTANTS;
                 let place = (case % 7 != 0).then_some(index);
                 let corners = || Some(known);
-                let got = Rgb565::blend_square(&words, place, ROW, corners, weights, constants);
+                let got =
+                    Rgb565::blend_square(&words, place, ROW, corners, weights, constants, None);
                 let fits = place.is_some() && index + ROW + 2 <= words.len();
                 let at = |offset: usize| words[(index + offset) % words.len()];
                 let square = if fits { [at(0), at(1), at(ROW), at(ROW + 1)] } else { known };
@@ -227,8 +255,27 @@ mod tests {
     }
 
     #[test]
+    fn texels_are_multiplied_as_their_colours_are() {
+        for level in 0..64u16 {
+            let texel = (level & 31) << 11 | level << 5 | (31 - (level & 31));
+            let color = Rgb565::decode(texel);
+            for channel in 0..=0xFFFFu32 {
+                let blue_red = channel << 16 | (0xFFFF - channel);
+                let surface = Color { blue_red, green: channel << 16 | (channel * 7) & 0xFFFF };
+                let expected = Modulate.combine(color, surface);
+                let got = <Rgb565 as TexelFormat>::modulate(texel, surface);
+                assert_eq!(got, expected, "{texel:04x} and {surface:x?}");
+            }
+        }
+    }
+
+    #[test]
     fn squares_are_the_same_texels_however_they_are_read() {
-        let words: [u16; 12] = core::array::from_fn(|i| i as u16 * 5000 + 7);
+        let mut word = 7;
+        let words: [u16; 12] = core::array::from_fn(|_| {
+            word += 5000;
+            word
+        });
         for row in 0..14 {
             for index in (0..14).chain([usize::MAX - 1, usize::MAX]) {
                 let apart = square_apart(&words, index, row).map(|texels| texels.map(|t| *t));

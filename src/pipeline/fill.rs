@@ -494,7 +494,12 @@ impl<V: Varying> Ready<V> {
         };
         let Self { set: (planes, z_plane) } =
             if planes_stay { core::hint::black_box(self) } else { self };
-        let from_last = S::Output::PLAIN && <Access<S>>::TOUCHES && V::JUMPS;
+        // RISC-V adds no two registers for an address: one number instead of two pointers spares
+        // nothing there.
+        let from_last = S::Output::PLAIN
+            && <Access<S>>::TOUCHES
+            && V::JUMPS
+            && cfg!(not(target_arch = "riscv32"));
         for span in spans.by_ref() {
             let Span { y, left, right, .. } = *span;
             // No row is longer. As the compiler knows it, one number is a pixel's place among colours

@@ -34,7 +34,7 @@ impl TexelFormat for Rgb565 {
     ) -> Option<Color> {
         let [x, y] = weights.coarse();
         let fields = place.and_then(|index| {
-            if !ONE_WORD {
+            if BY_HALVES {
                 let texels = square_apart(words, index, row)?;
                 return Some(blended(texels, [x, y], constants));
             }
@@ -155,15 +155,17 @@ fn at_edge(
     Some(blended(corners()?.each_ref(), weights, constants))
 }
 
-/// Whether two texels are read as one word, wherever it lies, whose lower half is the first.
-const ONE_WORD: bool =
-    cfg!(all(target_endian = "little", not(target_arch = "riscv32"))) && !BY_HALVES;
-
-/// Two texels, each in both halves of a word, where they are [read as one](ONE_WORD).
+/// Two texels, each in both halves of a word: read as one word, wherever it lies, whose lower half is
+/// the first, where that is cheaper.
 #[inline(always)]
 fn doubled(texels: &[u16; 2]) -> [u32; 2] {
-    let pair = bytemuck::cast::<_, u32>(*texels);
-    [pair & 0xFFFF | pair << 16, pair & 0xFFFF_0000 | pair >> 16]
+    if cfg!(all(target_endian = "little", not(target_arch = "riscv32"))) {
+        let pair = bytemuck::cast::<_, u32>(*texels);
+        [pair & 0xFFFF | pair << 16, pair & 0xFFFF_0000 | pair >> 16]
+    } else {
+        let [from, to] = texels;
+        [from, to].map(|texel| u32::from(*texel) | u32::from(*texel) << 16)
+    }
 }
 
 /// The fields of a texel between two others, rounded; `weight` from 0 to 31.
@@ -295,9 +297,7 @@ mod tests {
     fn two_texels_are_doubled_in_their_order() {
         for [from, to] in [[0x1234u16, 0xFEDC], [0, u16::MAX], [u16::MAX, 0]] {
             let twice = |texel: u16| u32::from(texel) * 0x0001_0001;
-            if cfg!(target_endian = "little") {
-                assert_eq!(doubled(&[from, to]), [from, to].map(twice), "{from:x}, {to:x}");
-            }
+            assert_eq!(doubled(&[from, to]), [from, to].map(twice), "{from:x}, {to:x}");
         }
     }
 }

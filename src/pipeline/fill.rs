@@ -242,6 +242,7 @@ impl<V: Varying> Fill<'_, V> {
                     may_be_level: false,
                     varying,
                     step,
+                    last: None,
                     depth,
                     output,
                     counter,

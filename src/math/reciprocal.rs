@@ -1,5 +1,5 @@
 use super::leading_zeros::leading_zeros;
-use super::wide::{mul_high_30, mul_high_31};
+use super::wide::{mul_high_31, mul_short};
 
 /// One over an integer: 1 / n is about `mantissa` / 2^`shift`.
 ///
@@ -63,6 +63,7 @@ pub(crate) fn reciprocal_of_some(n: u32) -> Reciprocal {
 
 /// The same in place: for what is done once a triangle, and not much longer than the call.
 #[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "an error of 16 bits")]
 pub(crate) fn inlined_reciprocal_of_some(n: u32) -> Reciprocal {
     let leading_zeros = leading_zeros(n);
     // f = normal / 2^32, in [1/2, 1).
@@ -76,10 +77,9 @@ pub(crate) fn inlined_reciprocal_of_some(n: u32) -> Reciprocal {
     let correction = seed.cast_signed().wrapping_mul(error >> 9) >> 7;
     let estimate = (seed << 15).wrapping_add(correction.cast_unsigned());
 
-    // Second step. The error 2^30 (1 - f x) is under 2^17, so it goes into the product with
-    // 13 bits more.
-    let error = (1u32 << 30).wrapping_sub(mul_high_31(normal, estimate)).cast_signed();
-    let correction = mul_high_30(error.wrapping_shl(13), estimate >> 1) >> 10;
+    // Second step. The error 2^30 (1 - f x) has 16 bits, as going through all normal numbers shows.
+    let error = (1u32 << 30).wrapping_sub(mul_high_31(normal, estimate));
+    let correction = mul_short(estimate >> 1, error as i16) >> 13;
     let mantissa = estimate.wrapping_add(correction.cast_unsigned());
 
     // In range for all 2^31 normal numbers, as going through them shows.

@@ -60,15 +60,24 @@ pub(crate) const fn mul_high_both_31(a: u32, b: u32) -> u32 {
     }
 }
 
-/// The same of a number below 2^31 and a multiple of 2^15 below 2^31, by halves of the first.
+/// A multiple of 2^15 below 2^31 as [`mul_high_positive`] takes it.
+#[inline(always)]
+pub(crate) const fn half_factor(b: i32) -> i32 {
+    if BY_HALVES {
+        b >> 15
+    } else {
+        b
+    }
+}
+
+/// The same of a number below 2^31 and 2^15 times one below 2^16, by halves of the first.
 #[inline(always)]
 const fn high_by_upper_half(a: u32, b: u32) -> u32 {
-    let b = b >> 15;
     ((a >> 16) * b + (((a & 0xFFFF) * b) >> 16)) >> 1
 }
 
-/// The upper 32 bits of the product of two numbers that are not negative, as signed; the second must
-/// be a multiple of 2^15.
+/// The upper 32 bits of the product of two numbers that are not negative, as signed; the second
+/// comes from [`half_factor`].
 ///
 /// Of signed factors whose signs it does not know the compiler makes one instruction, and one again
 /// of the result's product with a signed number; of an unsigned and a signed one it makes three.
@@ -124,6 +133,25 @@ pub(crate) const fn mul_high_30(a: i32, b: u32) -> i32 {
     } else {
         mul_high_signed(a, b)
     }
+}
+
+/// The product of a number below 2^30 and one of 16 bits, less its lower 16 bits: rounded down.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "below 2^31")]
+pub(crate) const fn mul_short(a: u32, b: i16) -> i32 {
+    if BY_HALVES {
+        short_by_parts(a, b)
+    } else {
+        ((a as i32 as i64 * b as i64) >> 16) as i32
+    }
+}
+
+/// The same by parts: no sum overflows.
+#[inline(always)]
+#[allow(clippy::cast_possible_wrap, reason = "16 bits")]
+const fn short_by_parts(a: u32, b: i16) -> i32 {
+    let (b, low, high) = (b as i32, (a & 0xFFFF) as i32, (a >> 16) as i32);
+    b * high + ((b * low) >> 16)
 }
 
 /// A weight as [`weighted_sum`] takes it.
@@ -205,9 +233,13 @@ mod tests {
             let (a, b) = (a >> 1, half);
             let upper = (u64::from(a) * u64::from(b)) >> 32;
             assert_eq!(u64::from(high_of_31_bits_by_halves(a, b)), upper, "{a:x} x {b:x}");
+            let short = ((a & 0xFFFF) as u16).cast_signed();
+            let product = (i64::from(short) * i64::from(half >> 1)) >> 16;
+            assert_eq!(i64::from(mul_short(half >> 1, short)), product, "{short} x {half:x} / 2");
+            assert_eq!(i64::from(short_by_parts(half >> 1, short)), product, "{short} x {half:x}");
             let coarse = b >> 15 << 15;
             let upper = (u64::from(a) * u64::from(coarse)) >> 32;
-            assert_eq!(u64::from(high_by_upper_half(a, coarse)), upper, "{a:x} x {coarse:x}");
+            assert_eq!(u64::from(high_by_upper_half(a, coarse >> 15)), upper, "{a:x} x {coarse:x}");
             let (signed, b) = (signed >> 1, b.min(1 << 30));
             for signed in [signed, signed.saturating_add(1)] {
                 let upper = (i64::from(signed) * i64::from(b)) >> 32;

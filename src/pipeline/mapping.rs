@@ -3,18 +3,18 @@ use super::transform::Depth;
 use super::Clip;
 use crate::frame::Size;
 use crate::math::{
-    inlined_reciprocal_of_some, mul_high_30, mul_high_both_31, mul_high_positive, mul_high_signed,
-    reciprocal_of_some, Reciprocal,
+    half_factor, inlined_reciprocal_of_some, mul_high_30, mul_high_both_31, mul_high_positive,
+    mul_high_signed, reciprocal_of_some, Reciprocal,
 };
 use crate::raster::{ScreenVertex, GUARD, SUBPIXELS};
 
 /// Half a side of the viewport in subpixels, normalised for products with reciprocals.
 #[derive(Clone, Copy, Debug)]
 struct HalfSide {
-    /// In 2^30..2^31.
+    /// In 2^30..2^31, as [`half_factor`] has it.
     mantissa: i32,
     /// v / w x half is twice the upper word of v x (the upper word of both mantissas), shifted right
-    /// by this and the reciprocal's shift.
+    /// by this less the leading zeros of w.
     down: u32,
 }
 
@@ -25,14 +25,14 @@ impl HalfSide {
         let subpixels = pixels as u32 * 8;
         let room = subpixels.leading_zeros();
         let mantissa = subpixels.wrapping_shl(room) >> 1;
-        Self { mantissa: mantissa as i32, down: room.wrapping_sub(66) }
+        Self { mantissa: half_factor(mantissa as i32), down: room.wrapping_sub(4) }
     }
 
     /// Twice v / w x half a side in subpixels, rounded down; saturates far beyond the guard box.
     #[inline(never)]
     #[allow(clippy::cast_possible_wrap, reason = "mantissas are below 2^31")]
     fn twice(self, v: i32, over_w: Reciprocal) -> i32 {
-        let down = self.down.wrapping_add(over_w.shift);
+        let down = self.down.wrapping_sub(zeros(over_w));
         if down < 32 {
             return self.twice_easy(v, over_w);
         }
@@ -45,15 +45,19 @@ impl HalfSide {
     #[allow(clippy::cast_possible_wrap, reason = "mantissas are below 2^31")]
     fn twice_easy(self, v: i32, over_w: Reciprocal) -> i32 {
         let factor = mul_high_positive(over_w.mantissa as i32, self.mantissa);
-        mul_high_30(v, factor as u32) >> (self.down.wrapping_add(over_w.shift) & 31)
+        mul_high_30(v, factor as u32) >> (self.down.wrapping_sub(zeros(over_w)) & 31)
     }
 
-    /// The smallest w whose reciprocal's shift and [`down`](Self::down) are not negative together.
+    /// The smallest w that has no more leading zeros than [`down`](Self::down).
     const fn least_w(self) -> i32 {
-        // 62 less the leading zeros of w is at least -down.
-        let zeros = self.down.wrapping_add(62);
-        1 << (31_u32.wrapping_sub(zeros) & 31)
+        1 << (31_u32.wrapping_sub(self.down) & 31)
     }
+}
+
+/// The leading zeros of a w.
+#[inline(always)]
+const fn zeros(over_w: Reciprocal) -> u32 {
+    62_u32.wrapping_sub(over_w.shift)
 }
 
 /// v x 2^up for a vertex near the eye; saturates.
@@ -75,8 +79,11 @@ pub(crate) struct Mapping {
     /// The viewport's size in pixels.
     size: Size,
     pub(super) depth: Depth,
-    /// From this w on a vertex between the sides of the view is projected without a question.
+    /// From this w on a vertex between the sides of the view is projected without a question; no
+    /// such w where depth comes from z.
     easy_w: i32,
+    /// The same where depth comes from z, if that is in the view too.
+    easy_w_by_z: i32,
     /// What every vertex has: [`LARGE`](flag::LARGE) or nothing.
     flags: u32,
 }
@@ -110,6 +117,7 @@ impl Mapping {
         let is_large = u32::from(width).wrapping_mul(height.into()) > SMALL_AREA
             || width.max(height) > SMALL_SIDE;
         let easy_w = half_width.least_w().max(half_height.least_w()).max(depth.easy_w);
+        let only_if = |is_easy: bool| if is_easy && !is_large { easy_w } else { i32::MAX };
         Self {
             half_width,
             half_height,
@@ -117,7 +125,8 @@ impl Mapping {
             center_y: center(top, height),
             size,
             depth,
-            easy_w: if is_large { i32::MAX } else { easy_w },
+            easy_w: only_if(!depth.is_row()),
+            easy_w_by_z: only_if(depth.is_row()),
             flags: if is_large { flag::LARGE } else { 0 },
         }
     }
@@ -130,30 +139,50 @@ impl Mapping {
     /// Projects a vertex and says on which sides of the view it lies.
     ///
     /// What lies in the view is projected in place; all else by [`project_any`](Self::project_any),
-    /// which gives the same.
+    /// which gives the same. z is asked for where depth comes from it, and nowhere else.
     ///
     /// # Cost
-    /// One reciprocal and five high products: about 65 instructions on Cortex-M4 in the view.
+    /// One reciprocal and five high products: about 60 instructions on Cortex-M4 in the view.
     #[inline(always)]
-    pub(super) fn project(&self, clip: &Clip) -> Projected {
-        let Clip { x, y, z, w } = *clip;
-        // Coordinates are below 2^30: a sum's sign bit is right, and where w is so far below zero
-        // that the first difference wraps, another is negative.
-        let margins = w.wrapping_sub(self.easy_w)
-            | w.wrapping_add(x)
-            | w.wrapping_sub(x)
-            | w.wrapping_sub(y)
-            | w.wrapping_add(y);
-        if margins < 0 || self.depth.is_row() && (z > w || z < self.depth.z_min) {
-            return self.project_any(clip);
+    pub(super) fn project(&self, [x, y, w]: [i32; 3], z: impl Fn() -> i32) -> Projected {
+        if is_hard(x, y, w, self.easy_w) {
+            return if self.depth.is_row() {
+                self.project_by_z(&Clip { x, y, z: z(), w })
+            } else {
+                self.project_any(&Clip { x, y, z: 0, w })
+            };
         }
         let over_w = inlined_reciprocal_of_some(w as u32);
-        let x = self.half_width.twice_easy(x, over_w).wrapping_add(1) >> 1;
-        let y = self.half_height.twice_easy(y, over_w).wrapping_neg() >> 1;
-        Projected::new(x, y, self.code_easy(z, over_w), 0)
+        self.in_view(x, y, over_w, self.code_of_w(over_w))
     }
 
-    /// The same for any vertex.
+    /// The same of any vertex whose depth comes from z.
+    #[inline(never)]
+    fn project_by_z(&self, clip: &Clip) -> Projected {
+        let Clip { x, y, z, w } = *clip;
+        if is_hard(x, y, w, self.easy_w_by_z) || z > w || z < self.depth.z_min {
+            return self.project_any(clip);
+        }
+        let over_w = reciprocal_of_some(w as u32);
+        self.in_view(x, y, over_w, rounded_code(twice_ratio(z, over_w)))
+    }
+
+    /// A vertex in the view.
+    #[inline(always)]
+    fn in_view(&self, x: i32, y: i32, over_w: Reciprocal, code: u32) -> Projected {
+        let (x, y) = self.easy_place(x, y, over_w);
+        Projected::in_view(x, y, code)
+    }
+
+    /// The place on the screen of a vertex whose w is at least [`easy_w`](Self::easy_w).
+    #[inline(always)]
+    fn easy_place(&self, x: i32, y: i32, over_w: Reciprocal) -> (i32, i32) {
+        let x = self.half_width.twice_easy(x, over_w).wrapping_add(1) >> 1;
+        let y = self.half_height.twice_easy(y, over_w).wrapping_neg() >> 1;
+        (x, y)
+    }
+
+    /// Projects any vertex as [`project`](Self::project) does.
     #[inline(never)]
     #[allow(clippy::cast_possible_truncation, reason = "compared with the original")]
     pub(super) fn project_any(&self, clip: &Clip) -> Projected {
@@ -219,20 +248,22 @@ impl Mapping {
 
     /// The same in place where no question is left.
     #[inline(always)]
-    pub(super) fn inlined_point(&self, clip: &Clip, place: &mut ScreenVertex) -> bool {
-        let Clip { x, y, z, w } = *clip;
-        if w < self.easy_w || self.depth.is_row() && (z > w || z < self.depth.z_min) {
-            return self.point(clip, place);
+    #[allow(clippy::cast_possible_truncation, reason = "a code has 16 bits")]
+    pub(super) fn inlined_point(
+        &self,
+        [x, y, w]: [i32; 3],
+        z: impl Fn() -> i32,
+        place: &mut ScreenVertex,
+    ) -> bool {
+        if w < self.easy_w {
+            let z = if self.depth.is_row() { z() } else { 0 };
+            return self.point(&Clip { x, y, z, w }, place);
         }
         // Below 2^27, far beyond any point's extent too.
         let over_w = inlined_reciprocal_of_some(w as u32);
-        let x = self.half_width.twice_easy(x, over_w).wrapping_add(1) >> 1;
-        let y = self.half_height.twice_easy(y, over_w).wrapping_neg() >> 1;
-        *place = ScreenVertex::from_bits(
-            self.center_x.wrapping_add(x),
-            self.center_y.wrapping_add(y),
-            self.code_easy(z, over_w),
-        );
+        let (x, y) = self.easy_place(x, y, over_w);
+        let (x, y) = (self.center_x.wrapping_add(x), self.center_y.wrapping_add(y));
+        *place = ScreenVertex::from_bits(x, y, self.code_of_w(over_w) as u16);
         true
     }
 
@@ -262,27 +293,41 @@ impl Mapping {
         let Depth { numerator, shift, .. } = self.depth;
         let twice = if numerator != 0 {
             // Below 2^30: 31 is far enough.
-            let down = shift.wrapping_add(over_w.shift).wrapping_sub(33).min(31);
+            let down = shift.wrapping_sub(zeros(over_w)).min(31);
             mul_high_both_31(numerator, over_w.mantissa) >> down
         } else {
             twice_ratio(clip.z.min(clip.w), over_w)
         };
-        (twice.wrapping_add(1) >> 1).wrapping_add(2).min(65535) as u16
+        rounded_code(twice).min(65535) as u16
     }
 
-    /// The same for a w of at least [`easy_w`](Self::easy_w), and a z that is no more.
+    /// The same of a w of at least [`easy_w`](Self::easy_w).
     #[inline(always)]
-    #[allow(clippy::cast_possible_truncation, reason = "z is at most w, and w at least near")]
-    fn code_easy(&self, z: i32, over_w: Reciprocal) -> u16 {
+    fn code_of_w(&self, over_w: Reciprocal) -> u32 {
         let Depth { numerator, shift, .. } = self.depth;
-        let twice = if numerator != 0 {
-            let down = shift.wrapping_add(over_w.shift).wrapping_sub(33);
-            mul_high_both_31(numerator, over_w.mantissa) >> (down & 31)
-        } else {
-            twice_ratio(z, over_w)
-        };
-        (twice.wrapping_add(1) >> 1).wrapping_add(2) as u16
+        let down = shift.wrapping_sub(zeros(over_w));
+        rounded_code(mul_high_both_31(numerator, over_w.mantissa) >> (down & 31))
     }
+}
+
+/// Whether a vertex does not lie between the sides of the view, or at a w below `easy_w`.
+#[inline(always)]
+const fn is_hard(x: i32, y: i32, w: i32, easy_w: i32) -> bool {
+    // Coordinates are below 2^30: a sum's sign bit is right, and where w is so far below zero that
+    // the first difference wraps, another is negative.
+    let margins = w.wrapping_sub(easy_w)
+        | w.wrapping_add(x)
+        | w.wrapping_sub(x)
+        | w.wrapping_sub(y)
+        | w.wrapping_add(y);
+    margins < 0
+}
+
+/// The depth code of twice 65531 z / w, rounded to nearest.
+#[inline(always)]
+const fn rounded_code(twice: u32) -> u32 {
+    // Half of one more, and 2.
+    twice.wrapping_add(5) >> 1
 }
 
 /// Twice 65531 z / w for a z that is at most w; 0 where it is negative.

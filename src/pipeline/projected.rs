@@ -53,6 +53,13 @@ impl Projected {
         Self { xy, z_flags: z as u32 | flags }
     }
 
+    /// A vertex in the view, whose depth code has 16 bits.
+    #[inline(always)]
+    pub(super) const fn in_view(x: i32, y: i32, z: u32) -> Self {
+        let Self { xy, .. } = Self::new(x, y, 0, 0);
+        Self { xy, z_flags: z }
+    }
+
     /// Subpixels from the viewport's centre to the right.
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "the lower half")]

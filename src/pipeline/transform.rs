@@ -9,8 +9,8 @@ pub(crate) struct Depth {
     pub(super) w_min: i32,
     /// The smallest z in view: 0 where a far plane is, else the least of all.
     pub(super) z_min: i32,
-    /// 65531 x near = numerator 2^-shift, normalised to 2^30..2^31, where z' is the near distance
-    /// everywhere and depth comes from w alone; 0 where z' is a row of the matrix.
+    /// 65531 x near = numerator 2^(29 - shift), normalised to 2^30..2^31, where z' is the near
+    /// distance everywhere and depth comes from w alone; 0 where z' is a row of the matrix.
     pub(super) numerator: u32,
     pub(super) shift: u32,
     /// From this w on a code needs no limit, if z is at most w.
@@ -43,7 +43,7 @@ impl Depth {
             w_min: whole(near - rounding).max(1),
             z_min: 0,
             numerator: (bits | 1 << 23) << 8 >> 1,
-            shift: 157_u32.wrapping_sub(exponent),
+            shift: 186_u32.wrapping_sub(exponent),
             easy_w: if near < LEAST_EASY_NEAR { i32::MAX } else { whole(near).saturating_add(1) },
         })
     }
@@ -142,21 +142,36 @@ impl Transform {
     /// Not inlined: the caller keeps its registers, and there is one copy of this.
     #[inline(never)]
     pub(crate) fn apply(&self, position: &[i16; 3]) -> Clip {
-        self.inlined(position)
+        let [x, y, w] = self.sides(position);
+        Clip { x, y, z: self.z(position), w }
     }
 
-    /// The same in place.
+    /// x, y and w of the same, in place.
     #[inline(always)]
-    pub(super) fn inlined(&self, position: &[i16; 3]) -> Clip {
-        let [p, q, r] = position.map(i32::from);
-        let dot = |[a, b, c, offset]: &[i32; 4]| {
-            a.wrapping_mul(p)
-                .wrapping_add(b.wrapping_mul(q))
-                .wrapping_add(c.wrapping_mul(r))
-                .wrapping_add(*offset)
-        };
-        let [x, y, z, w] = &self.rows;
-        let z = if self.has_z { dot(z) } else { 0 };
-        Clip { x: dot(x), y: dot(y), z, w: dot(w) }
+    pub(super) fn sides(&self, position: &[i16; 3]) -> [i32; 3] {
+        let [x, y, _, w] = &self.rows;
+        [x, y, w].map(|row| transformed(row, position))
     }
+
+    /// z of the same.
+    #[inline(never)]
+    pub(super) fn z(&self, position: &[i16; 3]) -> i32 {
+        let [_, _, z, _] = &self.rows;
+        if self.has_z {
+            transformed(z, position)
+        } else {
+            0
+        }
+    }
+}
+
+/// A coordinate in clip space. The translation comes first: where products accumulate, it is what
+/// they are added to.
+#[inline(always)]
+fn transformed([a, b, c, offset]: &[i32; 4], position: &[i16; 3]) -> i32 {
+    let [p, q, r] = position.map(i32::from);
+    offset
+        .wrapping_add(a.wrapping_mul(p))
+        .wrapping_add(b.wrapping_mul(q))
+        .wrapping_add(c.wrapping_mul(r))
 }

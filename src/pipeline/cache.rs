@@ -5,7 +5,10 @@ use crate::color::fill_words;
 /// flags a vertex that is not there and not shaded.
 const NONE: u32 = 0xFEFE_FEFE;
 
-const _: () = assert!(NONE & flag::INVALID != 0 && NONE & flag::SHADED == 0, "an empty slot");
+const _: () = assert!(
+    NONE & flag::INVALID != 0 && NONE & flag::ANY != 0 && NONE & flag::SHADED == 0,
+    "an empty slot"
+);
 
 /// Vertices that were transformed and shaded already, for up to `N` of them (a power of two).
 ///

@@ -19,9 +19,10 @@ pub(crate) mod flag {
     pub(crate) const LARGE: u32 = 1 << 24;
     /// Not there, or no number.
     pub(crate) const INVALID: u32 = 1 << 25;
+    /// Set with any of those above but the cache's mark: a sign to ask for. A vertex in a view of
+    /// ordinary size does not have it.
+    pub(crate) const ANY: u32 = 1 << 31;
 
-    /// All but the cache's mark: none of a vertex in a view of ordinary size.
-    pub(crate) const ALL: u32 = u32::MAX << 17;
     /// Triangles all of whose corners have one of these are not seen.
     pub(crate) const OUTSIDE: u32 = LEFT | RIGHT | ABOVE | BELOW | NEAR | FAR;
     /// Triangles any of whose corners has one of these are clipped.
@@ -44,19 +45,19 @@ pub(crate) struct Projected {
 
 impl Projected {
     /// A vertex that does not exist.
-    pub(crate) const INVALID: Self = Self { xy: 0, z_flags: flag::INVALID };
+    pub(crate) const INVALID: Self = Self { xy: 0, z_flags: flag::INVALID | flag::ANY };
 
     /// A vertex at a place that 12.4 holds; what it does not hold is cut off.
     #[inline(always)]
     pub(crate) const fn new(x: i32, y: i32, z: u16, flags: u32) -> Self {
-        let xy = x.cast_unsigned() & 0xFFFF | y.cast_unsigned() << 16;
-        Self { xy, z_flags: z as u32 | flags }
+        let any = if flags == 0 { 0 } else { flag::ANY };
+        Self { z_flags: z as u32 | flags | any, ..Self::in_view(x, y, 0) }
     }
 
     /// A vertex in the view, whose depth code has 16 bits.
     #[inline(always)]
     pub(super) const fn in_view(x: i32, y: i32, z: u32) -> Self {
-        let Self { xy, .. } = Self::new(x, y, 0, 0);
+        let xy = x.cast_unsigned() & 0xFFFF | y.cast_unsigned() << 16;
         Self { xy, z_flags: z }
     }
 

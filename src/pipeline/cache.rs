@@ -112,13 +112,35 @@ pub(super) fn entry(index: u32, vertex: Projected) -> Entry {
     [index, vertex.xy, vertex.z_flags]
 }
 
+/// Whether a slot holds this vertex with its attributes.
+#[inline(always)]
+pub(super) fn is_shaded(entry: &Entry, index: u32) -> bool {
+    holds(entry, index) && kept(entry).flags() & flag::SHADED != 0
+}
+
+/// Notes whose attributes a slot has now: if those of another vertex of the same triangle than the
+/// one that took the slot, that one's have to be made again.
+#[inline(always)]
+pub(super) fn note_shaded(entry: &mut Entry, index: u32) {
+    let is_own = holds(entry, index);
+    let [_, _, z_flags] = entry;
+    *z_flags = if is_own { *z_flags | flag::SHADED } else { *z_flags & !flag::SHADED };
+}
+
 impl<C: Copy> CacheView<'_, C> {
+    /// The slot of a vertex.
+    #[inline(always)]
+    pub(super) fn slot(&mut self, index: u32) -> Option<(&mut Entry, &mut C)> {
+        let slot = slot(index, self.entries.len());
+        Some((self.entries.get_mut(slot)?, self.corners.get_mut(slot)?))
+    }
+
     /// A vertex's attributes, where they are kept.
     #[inline(always)]
     pub(super) fn corner(&self, index: u32) -> Option<C> {
         let slot = slot(index, self.entries.len());
         let (entry, corner) = (self.entries.get(slot)?, self.corners.get(slot)?);
-        (holds(entry, index) && kept(entry).flags() & flag::SHADED != 0).then_some(*corner)
+        is_shaded(entry, index).then_some(*corner)
     }
 
     /// The attributes of three vertices that are known to be kept.
@@ -132,12 +154,9 @@ impl<C: Copy> CacheView<'_, C> {
     /// Keeps a vertex's attributes, unless another vertex of the same triangle took its slot.
     #[inline(always)]
     pub(super) fn keep_corner(&mut self, index: u32, corner: C) {
-        let slot = slot(index, self.entries.len());
-        if let (Some(entry), Some(place)) = (self.entries.get_mut(slot), self.corners.get_mut(slot))
-        {
+        if let Some((entry, place)) = self.slot(index) {
             if holds(entry, index) {
-                let [_, _, z_flags] = entry;
-                *z_flags |= flag::SHADED;
+                note_shaded(entry, index);
                 *place = corner;
             }
         }

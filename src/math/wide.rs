@@ -141,8 +141,11 @@ pub(crate) const fn mul_high_30(a: i32, b: u32) -> i32 {
 pub(crate) const fn mul_short(a: u32, b: i16) -> i32 {
     if BY_HALVES {
         short_by_parts(a, b)
-    } else {
+    } else if cfg!(target_arch = "arm") {
+        // One instruction where there are products of halves.
         ((a as i32 as i64 * b as i64) >> 16) as i32
+    } else {
+        mul_high_signed((b as i32) << 16, a)
     }
 }
 

@@ -14,6 +14,7 @@
 //! the line and what to do.
 
 mod atomic_file;
+mod cache_order;
 mod hash;
 mod mesh_data;
 mod mip_map;

@@ -51,6 +51,9 @@ pub(crate) struct Arguments {
     /// Flash for code and model [default: as much as it takes]
     #[arg(long, value_name = "BYTES", allow_hyphen_values = true)]
     flash: Option<Bytes>,
+    /// Put triangles into an order that suits a cache of 32 vertices first
+    #[arg(long)]
+    ordered: bool,
 }
 
 /// What the report says in the end.
@@ -66,7 +69,7 @@ pub(crate) enum Verdict {
 /// A message for the user: the model cannot be loaded, or what measures it is not installed.
 pub(crate) fn run(arguments: &Arguments) -> Result<Verdict, String> {
     let display = Size::new(arguments.display.width, arguments.display.height);
-    let model = Prepared::load(&arguments.model, display)?;
+    let model = Prepared::load(&arguments.model, display, arguments.ordered)?;
     let bench = Bench::new(arguments.target.core, &model.words, display)?;
     let (chosen, code) = choose(&bench, display, arguments.ram.0, model.vertices)?;
     let offers = offers(&bench, display, &model, chosen, code)?;

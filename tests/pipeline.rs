@@ -14,9 +14,9 @@ use microraster::models::TEAPOT;
 use microraster::raster::AnyTraversal;
 use microraster::raster::ScreenVertex;
 use microraster::{
-    AnyDepth, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, Frame, FrameError, Gouraud,
-    Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Scalar, ScreenPass,
-    Shader, Size, SmoothColor, Stats, Topology, VertexCache, VertexInput,
+    AnyDepth, Camera, Clip, Color, Corner, Cull, DrawContext, Flat, FlatColor, Frame, FrameError,
+    Gouraud, Less, LessEqual, Light, Mesh, Off, Pass, Rect, Rgb, Rgb565, Rgba8888, Scalar,
+    ScreenPass, Shader, Size, SmoothColor, Stats, Topology, VertexCache, VertexInput,
 };
 use support::{InClipSpace, Random};
 
@@ -39,6 +39,48 @@ fn teapot(cache: impl FnOnce(&mut Frame<'_, Rgba8888, microraster::DepthBuffer<'
     frame.clear(Rgb::BLACK);
     cache(&mut frame);
     pixels
+}
+
+#[test]
+fn small_caches_give_the_same_picture_of_vertices_that_take_each_others_slots() {
+    fn with<const N: usize>(
+        mesh: &Mesh<'_, Rgb, impl Topology<Primitive = [u32; 3]>>,
+    ) -> [(Vec<u16>, Stats); 2] {
+        let camera = Camera::perspective(45.0.degrees(), 0.5);
+        let model = Mat4::translation(Vec3::new(0.0, 0.0, -1.5));
+        [true, false].map(|is_flat| {
+            let (mut pixels, mut stats) = (vec![0; PIXELS], Stats::default());
+            let mut frame = Frame::<Rgb565>::new(&mut pixels, SIZE).expect("the buffer fits");
+            let mut pass = Pass::new(&camera).count(&mut stats);
+            if is_flat {
+                let mut cache = VertexCache::<Corner<FlatColor>, N>::new();
+                pass.draw_cached(&mut frame, &model, mesh, &Flat::colored(), &mut cache);
+            } else {
+                let mut cache = VertexCache::<Corner<SmoothColor>, N>::new();
+                pass.draw_cached(&mut frame, &model, mesh, &Gouraud::colored(), &mut cache);
+            }
+            (pixels, stats)
+        })
+    }
+    let (mut random, mut drawn, mut skipped) = (Random(61), 0, 0);
+    for _ in 0..500 {
+        // Some lie behind the eye, some have no attributes, and some indices no vertex.
+        let positions: Vec<[i16; 3]> =
+            (0..9).map(|_| [(); 3].map(|()| (random.next() as i16) >> 14)).collect();
+        let colors: Vec<Rgb> = (0..random.range(6, 9))
+            .map(|_| Rgb::new(random.next() as u8, random.next() as u8, random.next() as u8))
+            .collect();
+        let indices: Vec<u16> = (0..60).map(|_| random.range(0, 9) as u16).collect();
+        let mesh = Mesh::new(&positions, &colors).indexed(&indices);
+        let expected = with::<64>(&mesh);
+        assert!(with::<1>(&mesh) == expected, "one slot: {mesh:?}");
+        assert!(with::<2>(&mesh) == expected, "two slots: {mesh:?}");
+        assert!(with::<4>(&mesh) == expected, "four slots: {mesh:?}");
+        let [(_, flat), (_, smooth)] = &expected;
+        drawn += flat.drawn + smooth.drawn;
+        skipped += flat.skipped + smooth.skipped;
+    }
+    assert!(drawn > 2000 && skipped > 2000, "{drawn} drawn, {skipped} skipped");
 }
 
 #[test]

@@ -252,6 +252,18 @@ mod tests {
                 };
                 let expected = channel(11, 31) | channel(5, 63) | channel(0, 31);
                 assert_eq!(got.map(Rgb565::encode), Some(expected), "{square:x?} at {x}, {y}");
+                let surface = Rgb565::decode(texel());
+                let lit = Rgb565::blend_square(
+                    &words,
+                    place,
+                    ROW,
+                    corners,
+                    weights,
+                    constants,
+                    Some(surface),
+                );
+                let expected = got.map(|color| Modulate.combine(color, surface));
+                assert_eq!(lit, expected, "{square:x?} at {x}, {y}, under {surface:x?}");
             }
         }
     }

@@ -10,7 +10,7 @@ use crate::raster::Plane;
 /// At most 16 bits a word. Between the corners a word is 16.15: 15 fraction bits, below 2^31, so
 /// that the difference of two fits 32 bits.
 ///
-/// It [jumps](Stepped::jump).
+/// It must [jump](Stepped::jump): where runs of pixels are interpolated, it does not compile otherwise.
 pub trait Interpolated: Varying {
     /// One number for each word.
     type Words: Words;
@@ -30,6 +30,77 @@ pub trait Interpolated: Varying {
     fn step_of(base: &Self::Base, right: Self::Words, down: Self::Words)
         -> <Self as Stepped>::Step;
 }
+
+/// One that does not jump is an error of the compiler's, not a wrong picture.
+///
+/// ```compile_fail,E0080
+/// # use microraster::raster::{Gradients, Plane, Span};
+/// # use microraster::*;
+/// #[derive(Clone, Copy)]
+/// struct Own(Scalar);
+///
+/// impl Stepped for Own {
+///     type Step = u32;
+///     fn step(&mut self, step: &u32) {
+///         self.0.step(step);
+///     }
+/// }
+/// #
+/// # impl Varying for Own {
+/// #     type Corner = u16;
+/// #     type Planes = Plane;
+/// #     type Runs = ();
+/// #     const INTERPOLATED: bool = true;
+/// #     const PIECE: i32 = 0;
+/// #     const IN_RUNS: bool = false;
+/// #     fn planes(gradients: &Gradients, corners: &[u16; 3], first: &u16, pieces: bool) -> Plane {
+/// #         Scalar::planes(gradients, corners, first, pieces)
+/// #     }
+/// #     fn runs(_: &Plane, _: &Span) {}
+/// #     fn run(plane: &Plane, runs: &mut (), span: &Span, x: i32) -> (Self, u32, i32) {
+/// #         let (value, step, end) = Scalar::run(plane, runs, span, x);
+/// #         (Self(value), step, end)
+/// #     }
+/// #     fn settle(_: &mut Plane, _: i32, _: i32) {}
+/// #     fn mix(corners: [&u16; 3], u: i32, v: i32) -> u16 {
+/// #         Scalar::mix(corners, u, v)
+/// #     }
+/// # }
+/// #
+/// # impl Interpolated for Own {
+/// #     type Words = [u32; 1];
+/// #     type Base = ();
+/// #     fn words(corners: &[u16; 3]) -> ([[u32; 1]; 3], ()) {
+/// #         Scalar::words(corners)
+/// #     }
+/// #     fn value(base: &(), words: [u32; 1]) -> Self {
+/// #         Self(Scalar::value(base, words))
+/// #     }
+/// #     fn step_of(base: &(), right: [u32; 1], down: [u32; 1]) -> u32 {
+/// #         Scalar::step_of(base, right, down)
+/// #     }
+/// # }
+/// #
+/// # struct Shown;
+/// #
+/// # impl Shader for Shown {
+/// #     type Vertex = ();
+/// #     type Varying = Perspective<Own>;
+/// #     type Prepared = ();
+/// #     fn prepare(&self, _: &DrawContext) {}
+/// #     fn vertex(&self, _: &(), _: VertexInput<'_, ()>) -> PerspectiveCorner<u16> {
+/// #         PerspectiveCorner::from(0)
+/// #     }
+/// #     fn fragment(&self, _: &(), _: &Self::Varying) -> Option<Color> {
+/// #         None
+/// #     }
+/// # }
+/// let mut pixels = [0; 4];
+/// let mut frame = Frame::<Rgb565>::new(&mut pixels, Size::new(2, 2)).unwrap();
+/// ScreenPass::new().triangles(&mut frame, &Shown, &[]);
+/// ```
+#[cfg(doctest)]
+struct MustJump;
 
 /// A few words on which the same is done: an array, or a tuple of them.
 pub trait Words: Copy + Debug {

@@ -182,6 +182,8 @@ impl<V: Interpolated, I: Interval> Varying for SubspanValue<V, I> {
         span: &Span,
         x: i32,
     ) -> (Self, V::Step, i32) {
+        // Otherwise pictures would be wrong without a word.
+        const { assert!(V::JUMPS, "what is interpolated in perspective jumps") };
         let y = span.y;
         if x >= runs.end {
             if !runs.is_even && x & ((1 << I::CELL) - 1) == 0 {

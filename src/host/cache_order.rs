@@ -176,13 +176,21 @@ impl Users {
 }
 
 #[cfg(test)]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "random numbers are cut to what is wanted"
+)]
 mod tests {
     use super::super::Model;
     use super::*;
     use crate::math::hard_numbers::Random;
 
-    /// What is drawn, whatever the order: corners of each triangle with what belongs to them.
-    fn drawn(mesh: &MeshData) -> Vec<([[i16; 3]; 3], Vec<[i8; 3]>)> {
+    /// A triangle's corners with what belongs to them.
+    type Drawn = ([[i16; 3]; 3], Vec<[i8; 3]>);
+
+    /// What is drawn, whatever the order.
+    fn drawn(mesh: &MeshData) -> Vec<Drawn> {
         let triangles = mesh.indices.chunks(3).enumerate().map(|(number, corners)| {
             let at = |corner: usize| usize::from(corners[corner]);
             let normals = if mesh.by_face {

@@ -1,6 +1,7 @@
 use super::short_edge::{ShortEdge, TALLEST, WIDEST};
 use super::{Edge, LongEdge, Point, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
+use crate::math::rare;
 
 /// A triangle walked row by row: each row's first and last covered pixel by an exact integer walk
 /// along the edges, so that no pixel is tested.
@@ -36,16 +37,24 @@ pub(crate) const fn first_center(bits: i32) -> i32 {
 /// places.
 #[inline(always)]
 fn take_rows<E: Edge>(left: &mut E, right: &mut E, mut y: i32, end: i32, places: &mut &mut [Span]) {
-    while y < end {
+    if y >= end {
+        return;
+    }
+    loop {
         let (first, behind) = (left.column(), right.column());
         if first < behind {
             let [place, more @ ..] = core::mem::take(places) else { return };
             *place = Span { y, first, left: first, right: behind, behind };
             *places = more;
+        } else {
+            rare();
         }
         left.step();
         right.step();
         y = y.wrapping_add(1);
+        if y >= end {
+            return;
+        }
         // Keeps the compiler from unrolling: four copies of this cost more than they save.
         core::hint::black_box(());
     }

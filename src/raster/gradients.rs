@@ -119,7 +119,7 @@ impl Gradients {
     #[cold]
     #[inline(never)]
     #[allow(clippy::cast_possible_truncation, reason = "areas above 32 bits are shifted")]
-    pub(crate) fn exact(triangle: &Triangle) -> Self {
+    fn exact(triangle: &Triangle) -> Self {
         let Sides { x1, y1, x2, y2, longest } = Sides::of(triangle);
         let [a, ..] = &triangle.v;
         // Areas above 32 bits lose low bits that are far below the reciprocal's own error.
@@ -136,15 +136,22 @@ impl Gradients {
 
     /// The same of any other triangle.
     #[inline(always)]
+    fn weighted(triangle: &Triangle) -> Option<Self> {
+        Self::weighted_below(triangle, SHORT_SIDE)
+    }
+
+    /// The same of a triangle whose sides from the first corner are shorter than `limit` along either
+    /// axis, in subpixels: no more than 1024 pixels. The limit should be a power of two.
+    #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "areas of short sides fit")]
-    pub(crate) fn weighted(triangle: &Triangle) -> Option<Self> {
+    pub(crate) fn weighted_below(triangle: &Triangle, limit: u32) -> Option<Self> {
         let Sides { x1, y1, x2, y2, longest } = Sides::of(triangle);
         let [a, ..] = &triangle.v;
         let to_center_x = 8_i32.wrapping_sub(a.x_bits() & 15);
         let to_center_y = 8_i32.wrapping_sub(a.y_bits() & 15);
         let (pixel_x, pixel_y) = (a.x_bits() >> 4, a.y_bits() >> 4);
         let area = triangle.area as u32;
-        if longest < SHORT_SIDE && area >= longest.wrapping_mul(longest) >> THICK {
+        if longest < limit && area >= longest.wrapping_mul(longest) >> THICK {
             // Never zero: a triangle is made with an area.
             let reciprocal = inlined_reciprocal_of_some(area);
             // Sides at most 2^28, so that weights are at most 2^27; side / area is

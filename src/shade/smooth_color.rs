@@ -31,6 +31,8 @@ pub struct SmoothColorPlanes {
 impl SmoothColor {
     /// Pixels over which blue and red are good in one word.
     const PIXELS: i32 = 128;
+    /// Sides from here on, in subpixels, are drawn in pieces.
+    const REACH: u32 = (Self::PIXELS / 2).cast_unsigned() * 16;
 
     /// The colour at this pixel, opaque.
     #[inline(always)]
@@ -179,11 +181,13 @@ impl Interpolated for SmoothColor {
 /// gradients stay in registers.
 ///
 /// # Cost
-/// Some 255 instructions on Cortex-M4, where set-up, depth and colour apart take 280.
+/// Some 235 instructions on Cortex-M4, where set-up, depth and colour apart take 280; more for
+/// a triangle that is too thin for weights or drawn in pieces.
 #[inline(never)]
 fn smooth_planes_at_once(triangle: &Triangle, corners: &[Color; 3]) -> (SmoothColorPlanes, Plane) {
-    let Some(gradients) = Gradients::weighted(triangle) else {
-        return exact_planes_at_once(triangle, corners);
+    // In one piece.
+    let Some(gradients) = Gradients::weighted_below(triangle, SmoothColor::REACH) else {
+        return any_planes_at_once(triangle, corners);
     };
     let slopes = |d1, d2| gradients.weighted_slopes(d1, d2);
     let depth = {
@@ -192,19 +196,18 @@ fn smooth_planes_at_once(triangle: &Triangle, corners: &[Color; 3]) -> (SmoothCo
         let value = first.wrapping_add(to_center.cast_unsigned());
         gradients.plane_at(value, dx.cast_unsigned(), dy.cast_unsigned())
     };
-    let in_pieces = gradients.reach_beyond(SmoothColor::PIECE / 2);
-    (planes_by(&gradients, corners, in_pieces, slopes), depth)
+    (planes_by(&gradients, corners, false, slopes), depth)
 }
 
-/// The same of triangles that are too large or too thin for weights.
+/// The same of triangles that are too thin for weights, or drawn in pieces.
 #[cold]
 #[inline(never)]
-fn exact_planes_at_once(triangle: &Triangle, corners: &[Color; 3]) -> (SmoothColorPlanes, Plane) {
-    let gradients = &Gradients::exact(triangle);
+fn any_planes_at_once(triangle: &Triangle, corners: &[Color; 3]) -> (SmoothColorPlanes, Plane) {
+    let gradients = &Gradients::new(triangle);
     let (first, to_second, to_third) = triangle.depth_codes();
     let in_pieces = gradients.reach_beyond(SmoothColor::PIECE / 2);
     let planes = exact_planes(gradients, corners, in_pieces);
-    (planes, gradients.inlined_plane(first, to_second, to_third))
+    (planes, gradients.plane_from(first, to_second, to_third))
 }
 
 /// One copy for every shader that interpolates a colour beside something else, or without depth.

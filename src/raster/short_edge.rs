@@ -63,8 +63,10 @@ const _: () = assert!((WIDEST as i64) << FRACTION < 1 << 31, "the high part's pr
 fn slope(dx: i32, dy: i32) -> i32 {
     if BY_HALVES {
         by_inverse(dx, INVERSES.get(dy as usize).copied().unwrap_or(0))
+    } else if dy > 0 {
+        dx.wrapping_shl(FRACTION).wrapping_div(dy)
     } else {
-        dx.wrapping_shl(FRACTION).wrapping_div(dy.max(1))
+        0
     }
 }
 

@@ -7,8 +7,8 @@ use crate::math::rare;
 /// along the edges, so that no pixel is tested.
 ///
 /// # Cost
-/// On Cortex-M4 8 instructions a row of a short triangle and 9 more where it holds a pixel, after
-/// some 180 to start; one division an edge, by a table where the core has none. Passes ask before whether a
+/// On Cortex-M4 8 instructions a row of a short triangle and 8 more where it holds a pixel, after
+/// some 170 to start; one division an edge, by a table where the core has none. Passes ask before whether a
 /// triangle is one of very few pixels, which do without. Not generic, so that one copy serves every
 /// shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
@@ -82,7 +82,7 @@ impl Spans {
     /// of `area` below 2^30 in magnitude.
     #[inline(never)]
     pub fn start(&mut self, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
-        batch.clear();
+        batch.last = true;
         // Clockwise from the highest corner: the next one is on its right side.
         let [a, b, c] = triangle.v.each_ref().map(Point::of);
         let (high, right, left) = if a.y <= b.y && a.y <= c.y {
@@ -98,9 +98,11 @@ impl Spans {
         let start = first_center(high.y).max(area.top);
         let end = first_center(low.y).min(area.bottom);
         if start >= end {
+            batch.length = 0;
             return;
         }
-        let turn = first_center(middle.y).max(area.top).min(end);
+        // At or above the first row where that is below the middle corner.
+        let turn = first_center(middle.y).min(end);
         let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
         // Below zero where the triangle reaches beyond a side.
         let left_over = first_center(least).wrapping_sub(area.left);

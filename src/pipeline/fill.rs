@@ -242,7 +242,7 @@ impl<V: Varying> Fill<'_, V> {
                     may_be_level: false,
                     varying,
                     step,
-                    last: None,
+                    behind: None,
                     depth,
                     output,
                     counter,
@@ -514,11 +514,10 @@ impl<V: Varying> Ready<V> {
                     let end = end.min(right);
                     let length = end.wrapping_sub(x) as usize & longest;
                     let (pixels, cells) = window.row(y, x, length)?;
-                    let last = from_last.then(|| {
-                        let mut last = varying;
-                        let x_of_last = end.wrapping_sub(1);
-                        last.jump(&step, x_of_last.wrapping_sub(x));
-                        (last, z_plane.at(x_of_last, y))
+                    let behind = from_last.then(|| {
+                        let mut behind = varying;
+                        behind.jump(&step, end.wrapping_sub(x));
+                        (behind, z_plane.at(end, y))
                     });
                     shader.span(Row::<S, F, V> {
                         x,
@@ -530,7 +529,7 @@ impl<V: Varying> Ready<V> {
                         may_be_level: true,
                         varying,
                         step,
-                        last,
+                        behind,
                         depth,
                         output,
                         counter: &mut *counter,
@@ -542,10 +541,8 @@ impl<V: Varying> Ready<V> {
             let length = right.wrapping_sub(left) as usize & longest;
             let (pixels, cells) = window.row(y, left, length)?;
             let (varying, step, _) = V::run(planes, &mut runs, span, left);
-            let last = from_last.then(|| {
-                let x = right.wrapping_sub(1);
-                (V::run(planes, &mut runs, span, x).0, z_plane.at(x, y))
-            });
+            let behind =
+                from_last.then(|| (V::run(planes, &mut runs, span, right).0, z_plane.at(right, y)));
             shader.span(Row::<S, F, V> {
                 x: left,
                 y,
@@ -556,7 +553,7 @@ impl<V: Varying> Ready<V> {
                 may_be_level: true,
                 varying,
                 step,
-                last,
+                behind,
                 depth,
                 output,
                 counter,

@@ -12,20 +12,22 @@ type Source<S> = <<<S as State>::Output as ColorOutput>::Blend as Blend>::Source
 /// A row of depth under state `S`.
 pub(crate) type Cells<'a, S> = <Access<S> as DepthAccess>::Cells<'a>;
 
-/// The pixel loop from a row's last pixel to its first; `last` and `steps` are of the varying and of
-/// depth.
+/// The pixel loop from a row's last pixel to its first; `behind`, which is one pixel further, and
+/// `steps` are of the varying and of depth.
 #[inline(always)]
 fn from_last<F: Format, V: Stepped>(
     pixels: &mut [F::Raw],
     codes: &mut [u16],
-    last: (V, u32),
+    behind: (V, u32),
     steps: (V::Step, u32),
     depth: &impl DepthTest,
     counter: &mut impl Counter,
     mut fragment: impl FnMut(&V) -> Option<F::Raw>,
 ) {
-    let ((mut varying, mut z), (step, z_step)) = (last, steps);
+    let ((mut varying, mut z), (step, z_step)) = (behind, steps);
     for (pixel, stored) in pixels.iter_mut().zip(codes).rev() {
+        z = z.wrapping_sub(z_step);
+        varying.jump(&step, -1);
         let code = (z >> 16) as u16;
         if depth.passes(code, *stored) {
             if let Some(raw) = fragment(&varying) {
@@ -43,8 +45,6 @@ fn from_last<F: Format, V: Stepped>(
             // Otherwise a visible pixel takes a jump more.
             rare();
         }
-        z = z.wrapping_sub(z_step);
-        varying.jump(&step, -1);
     }
 }
 
@@ -63,9 +63,9 @@ pub struct Row<'a, S: State, F: Format, V: Stepped> {
     pub(crate) may_be_level: bool,
     pub(crate) varying: V,
     pub(crate) step: V::Step,
-    /// The varying and depth at the last pixel, where they cost no more than those at the first: if
+    /// The varying and depth behind the last pixel, where they cost no more than those at the first: if
     /// the loop begins with them, its count is the pixel's number.
-    pub(crate) last: Option<(V, u32)>,
+    pub(crate) behind: Option<(V, u32)>,
     pub(crate) depth: &'a S::Depth,
     pub(crate) output: &'a S::Output,
     pub(crate) counter: &'a mut S::Counter,
@@ -129,13 +129,18 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         step: impl FnOnce(V::Step) -> W::Step,
     ) -> Row<'a, S, F, W> {
         let (varying, step) = (value(self.varying), step(self.step));
-        let last = self.last.map(|(last, z)| (value(last), z));
-        self.of(varying, step, last)
+        let behind = self.behind.map(|(behind, z)| (value(behind), z));
+        self.of(varying, step, behind)
     }
 
     /// The same pixels with another value.
     #[inline(always)]
-    fn of<W: Stepped>(self, varying: W, step: W::Step, last: Option<(W, u32)>) -> Row<'a, S, F, W> {
+    fn of<W: Stepped>(
+        self,
+        varying: W,
+        step: W::Step,
+        behind: Option<(W, u32)>,
+    ) -> Row<'a, S, F, W> {
         let Self { x, y, pixels, cells, z, z_step, may_be_level, depth, output, counter, .. } =
             self;
         Row {
@@ -148,7 +153,7 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
             may_be_level,
             varying,
             step,
-            last,
+            behind,
             depth,
             output,
             counter,
@@ -183,13 +188,15 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         if !S::Output::PLAIN {
             return self.place(|varying| fragment(varying).map(F::unpack));
         }
-        let Self { pixels, mut cells, mut z, z_step, mut varying, step, last, .. } = self;
+        let Self { pixels, mut cells, mut z, z_step, mut varying, step, behind, .. } = self;
         let Self { depth, counter, .. } = self;
-        if let (true, Some(last)) = (<Access<S>>::TOUCHES && V::JUMPS, last) {
+        if let (true, Some(behind)) = (<Access<S>>::TOUCHES && V::JUMPS, behind) {
             cells = match <Access<S>>::codes(cells) {
                 Ok(codes) => {
                     let steps = (step, z_step);
-                    return from_last::<F, V>(pixels, codes, last, steps, depth, counter, fragment);
+                    return from_last::<F, V>(
+                        pixels, codes, behind, steps, depth, counter, fragment,
+                    );
                 }
                 Err(cells) => cells,
             };

@@ -16,9 +16,9 @@ impl<S: State, F: Format, V: Stepped> Row<'_, S, F, V> {
     /// Stores one value in each pixel that passes the depth test.
     #[inline(always)]
     pub(super) fn fill_visible(self, raw: F::Raw) {
-        let Self { pixels, cells, z, z_step, last, depth, counter, .. } = self;
+        let Self { pixels, cells, z, z_step, behind, depth, counter, .. } = self;
         let is_level = self.may_be_level && pixels.len() >= LONG && z_step == 0;
-        let cells = if !is_level && (BY_HALVES || last.is_some() || pixels.len() == 1) {
+        let cells = if !is_level && (BY_HALVES || behind.is_some() || pixels.len() == 1) {
             // With few registers, the loop over both is the longer one; of lines, it is none; from
             // the last pixel on there is a shorter one.
             cells
@@ -151,7 +151,7 @@ mod tests {
                     may_be_level: true,
                     varying: (),
                     step: (),
-                    last: from_last.then(|| ((), along.wrapping_sub(z_step))),
+                    behind: from_last.then_some(((), along)),
                     depth: &depth,
                     output: &output,
                     counter: &mut counter,

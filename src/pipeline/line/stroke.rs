@@ -401,7 +401,7 @@ impl<V: Varying, T: Steps + Copy> Pixels<V, T> {
                     may_be_level: false,
                     varying,
                     step,
-                    last: None,
+                    behind: None,
                     depth,
                     output,
                     counter: &mut *counter,

@@ -48,6 +48,65 @@ fn from_last<F: Format, V: Stepped>(
     }
 }
 
+/// The same of colours that are [dimmed](Format::dim), and dithered; `value` and `steps` are of the
+/// colour and of depth at the first pixel, which is at (`x`, `y`).
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "of a picture")]
+fn raised_from_last<S: State, F: Format>(
+    (x, y): (i32, i32),
+    pixels: &mut [F::Raw],
+    codes: &mut [u16],
+    value: (SmoothColor, u32),
+    ((blue_red, green), z_step): ((u32, u32), u32),
+    (depth, output, counter): (&S::Depth, &S::Output, &mut S::Counter),
+) {
+    // No row is longer. As the compiler knows it, one number is a pixel's place among colours and
+    // codes, and the count.
+    let length = pixels.len() & 0xFFFF;
+    let Some(pixels) = pixels.get_mut(..length) else { return };
+    let (mut varying, mut z) = value;
+    z = z.wrapping_add(z_step.wrapping_mul(length as u32));
+    varying.jump(&(blue_red, green), length as i32);
+    // From each column's threshold to the one before: no more of them than there are pixels.
+    let mut steps = <OutputDither<S> as Dither>::Steps::default();
+    let count = steps.as_ref().len().min(length);
+    let from = x.wrapping_add(length.wrapping_sub(count) as i32);
+    let mut thresholds = output.dither().thresholds(from, y);
+    let raise = |thresholds: &<OutputDither<S> as Dither>::Thresholds| {
+        <OutputDither<S>>::first(thresholds).map_or(Color::NOTHING, F::raise)
+    };
+    let mut here = raise(&thresholds);
+    for place in steps.as_mut().iter_mut().take(count).rev() {
+        <OutputDither<S>>::step(&mut thresholds);
+        let next = raise(&thresholds);
+        *place = (
+            blue_red.wrapping_add(next.blue_red).wrapping_sub(here.blue_red),
+            green.wrapping_add(next.green).wrapping_sub(here.green),
+        );
+        here = next;
+    }
+    varying.step(&(here.blue_red, here.green));
+    let mut row = pixels.iter_mut().zip(codes).rev();
+    loop {
+        for step in steps.as_ref() {
+            let Some((pixel, stored)) = row.next() else { return };
+            z = z.wrapping_sub(z_step);
+            varying.jump(step, -1);
+            let code = (z >> 16) as u16;
+            if depth.passes(code, *stored) {
+                if depth.writes() {
+                    *stored = code;
+                }
+                *pixel = output.masked::<F>(F::pack(varying.color()), pixel);
+                counter.pixels(1);
+                core::hint::black_box(());
+            } else {
+                rare();
+            }
+        }
+    }
+}
+
 /// A run of pixels in one row: where depth, state, format and the varying's step meet.
 pub struct Row<'a, S: State, F: Format, V: Stepped> {
     /// The first pixel's column and row, in picture coordinates.
@@ -302,7 +361,25 @@ impl<S: State, F: Format> Row<'_, S, F, SmoothColor> {
 
     /// The pixel loop of colours that are [dimmed](Format::dim), and dithered.
     #[inline(always)]
-    fn raised(self) {
+    fn raised(mut self) {
+        if <Access<S>>::TOUCHES && cfg!(not(target_arch = "riscv32")) {
+            self.cells = match <Access<S>>::codes(self.cells) {
+                Ok(codes) => {
+                    let (place, value) = ((self.x, self.y), (self.varying, self.z));
+                    let (steps, output) = ((self.step, self.z_step), self.output);
+                    let (depth, counter) = (self.depth, self.counter);
+                    return raised_from_last::<S, F>(
+                        place,
+                        self.pixels,
+                        codes,
+                        value,
+                        steps,
+                        (depth, output, counter),
+                    );
+                }
+                Err(cells) => cells,
+            };
+        }
         let Self { x, y, pixels, cells, mut z, z_step, varying, .. } = self;
         let Self { step, depth, output, counter, .. } = self;
         let mut thresholds = output.dither().thresholds(x, y);

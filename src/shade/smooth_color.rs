@@ -34,6 +34,12 @@ impl SmoothColor {
     /// Sides from here on, in subpixels, are drawn in pieces.
     const REACH: u32 = (Self::PIXELS / 2).cast_unsigned() * 16;
 
+    /// Of its words, whatever they are.
+    #[cfg(test)]
+    pub(super) const fn of_bits(blue_red: u32, green: u32) -> Self {
+        Self(Color { blue_red, green })
+    }
+
     /// The colour at this pixel, opaque.
     #[inline(always)]
     pub const fn color(self) -> Color {

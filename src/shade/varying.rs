@@ -85,6 +85,9 @@ pub trait Varying: Stepped {
     /// The value at pixel `x` of a span, the step to its right neighbour, and the first pixel for
     /// which that step is no longer good: beyond the span unless varyings come
     /// [in runs](Self::IN_RUNS). From run to run `x` grows.
+    ///
+    /// Of a varying that [jumps](Stepped::JUMPS) and does not come in runs, the value behind the span
+    /// is asked for too, at `span.right`: no pixel there need be covered.
     fn run(
         planes: &Self::Planes,
         runs: &mut Self::Runs,

@@ -51,8 +51,13 @@ pub(crate) fn make(scene: &Scene, size: Size, threads: usize) -> anyhow::Result<
 }
 
 impl Renderer for Threaded {
+    /// By the threads that draw, as in a program of its own: what one of them has cleared is in its
+    /// core's cache.
     fn clear(&mut self) {
-        self.ready.clear();
+        let Ready { size, pixels, depth, .. } = &mut self.ready;
+        if let Ok(bands) = ParallelBands::<Rgb565>::new(pixels, depth, *size) {
+            bands.draw(|frame| frame.clear(microraster::Rgb::BLACK));
+        }
     }
 
     fn draw(&mut self, number: usize) {

@@ -137,6 +137,13 @@ fn numbered<T>(slice: &mut [T]) -> &mut [T] {
     slice.get_mut(..length).unwrap_or_default()
 }
 
+/// Counts what finds no room, so that it can be said how much would.
+#[cold]
+#[inline(never)]
+fn one_too_many(count: &mut u32) {
+    *count = count.saturating_add(1);
+}
+
 /// Takes what lies behind so many places.
 fn rest<'a, T>(slice: &mut &'a mut [T], used: u32) -> &'a mut [T] {
     let all = core::mem::take(slice);
@@ -245,20 +252,27 @@ impl<'a, C: Copy> DisplayList<'a, C> {
     #[allow(clippy::cast_possible_truncation, reason = "no more fit than have a number")]
     pub(super) fn push_vertex(&mut self, vertex: &ScreenVertex, corner: C) -> u16 {
         let number = self.vertex_count;
-        if let Some(place) = self.vertices.get_mut(number as usize) {
-            *place = ListVertex::new(vertex, corner);
+        match self.vertices.get_mut(number as usize) {
+            Some(place) => {
+                *place = ListVertex::new(vertex, corner);
+                self.vertex_count = number.wrapping_add(1);
+            }
+            None => one_too_many(&mut self.vertex_count),
         }
-        self.vertex_count = number.saturating_add(1);
         number as u16
     }
 
     /// Takes a triangle.
     #[inline(always)]
     pub(super) fn push(&mut self, vertices: [u16; 3]) {
-        if let Some(place) = self.triangles.get_mut(self.triangle_count as usize) {
-            *place = ListTriangle { vertices, next: NONE };
+        let number = self.triangle_count;
+        match self.triangles.get_mut(number as usize) {
+            Some(place) => {
+                *place = ListTriangle { vertices, next: NONE };
+                self.triangle_count = number.wrapping_add(1);
+            }
+            None => one_too_many(&mut self.triangle_count),
         }
-        self.triangle_count = self.triangle_count.saturating_add(1);
     }
 
     /// Takes the piece of a clipped triangle.
@@ -306,11 +320,17 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         Some((recorded, rows_of([ay, by, cy]).1))
     }
 
-    /// The rows of a triangle.
-    fn rows_of(&self, number: u16) -> Option<(i32, i32)> {
+    /// Where the corners of a triangle lie, from the top.
+    #[inline(always)]
+    fn y_of(&self, number: u16) -> Option<[i32; 3]> {
         let [a, b, c, _] = Self::numbers(self.triangles.get(usize::from(number))?);
         let y = |number| Some(self.vertex(number)?.y_bits());
-        Some(rows_of([y(a)?, y(b)?, y(c)?]))
+        Some([y(a)?, y(b)?, y(c)?])
+    }
+
+    /// The rows of a triangle.
+    fn rows_of(&self, number: u16) -> Option<(i32, i32)> {
+        self.y_of(number).map(rows_of)
     }
 
     /// Whether this was recorded for a picture of this size.
@@ -343,6 +363,8 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         let ends = top.wrapping_add(height) == i32::from(picture.height);
         let goes_on = top == self.next_row && (height == self.rows || ends && height < self.rows);
         if !goes_on {
+            // What goes on was asked when it began.
+            self.check_room()?;
             let needed = picture.height.saturating_sub(first_row).div_ceil(rows.max(1));
             let got = self.bands.len();
             if got < usize::from(needed) {
@@ -369,12 +391,13 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         let reciprocal = 0x1_0000_u32.checked_div(rows).unwrap_or(0);
         let count = u16::try_from(self.triangle_count).unwrap_or(NONE);
         for number in 0..count {
-            let Some((top, bottom)) = self.rows_of(number) else { return };
-            if bottom <= first_row {
-                continue;
-            }
+            let Some(y) = self.y_of(number) else { return };
+            let top = rows_of(y).0;
             if top < first_row {
-                self.carried.push(number, self.triangles);
+                // The last row is asked for here alone: few triangles begin further up.
+                if rows_of(y).1 > first_row {
+                    self.carried.push(number, self.triangles);
+                }
                 continue;
             }
             let below = top.wrapping_sub(first_row).cast_unsigned();

@@ -241,7 +241,6 @@ impl<S: State> Pass<'_, S> {
     {
         let Recording { list, shader, prepared, area } = recording;
         let Some(prepared) = prepared else { return Ok(()) };
-        list.check_room()?;
         let bound = Bound { shader: *shader, prepared };
         let rows = frame.size().height;
         let mut band = list.band(frame.picture(), frame.first_row(), rows)?;

@@ -13,6 +13,8 @@ mod cull;
 mod display_list;
 mod draw;
 mod fill;
+#[cfg(all(test, feature = "std"))]
+mod fill_tests;
 mod line;
 mod list_error;
 mod mapping;

@@ -14,6 +14,10 @@ const SURFACELESS: egl::Enum = 0x31DD;
 const VERTEX: &str = "#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 given;
+#ifdef TINTED
+layout(location = 2) in vec3 given_tint;
+noperspective out vec3 tint;
+#endif
 uniform mat4 matrix;
 uniform vec3 to_light;
 uniform vec3 material;
@@ -30,6 +34,9 @@ void main() {
 #else
     color = given;
 #endif
+#ifdef TINTED
+    tint = given_tint;
+#endif
 }";
 
 const FRAGMENT: &str = "#version 330 core
@@ -38,11 +45,20 @@ flat in vec3 color;
 #else
 in vec3 color;
 #endif
+#ifdef TINTED
+noperspective in vec3 tint;
+#endif
 uniform sampler2D image;
+uniform float opacity;
 out vec4 result;
 void main() {
 #ifdef TEXTURED
     result = texture(image, color.xy);
+#ifdef TINTED
+    result *= vec4(tint, 1.0);
+#endif
+#elif defined(GLASS)
+    result = vec4(color, opacity);
 #else
     result = vec4(color, 1.0);
 #endif
@@ -107,6 +123,12 @@ unsafe fn ready(scene: &Scene, size: Size) -> Option<Ready> {
         gl.enable(glow::CULL_FACE);
     }
     gl.disable(glow::DITHER);
+    if let Shading::Glass(_, opacity) = scene.shading {
+        gl.enable(glow::BLEND);
+        gl.blend_func(glow::SRC_ALPHA, glow::ONE_MINUS_SRC_ALPHA);
+        let place = gl.get_uniform_location(program, "opacity");
+        gl.uniform_1_f32(place.as_ref(), f32::from(opacity) / 255.0);
+    }
     Some(Ready { scene: scene.clone(), size, context, display, instance, gl, program, indices })
 }
 
@@ -134,7 +156,9 @@ unsafe fn program(gl: &glow::Context, scene: &Scene) -> Option<glow::Program> {
         Shading::Smooth(_) => "",
         Shading::Lit { smooth: true, .. } => "#define LIT\n",
         Shading::Lit { smooth: false, .. } => "#define LIT\n#define FLAT\n",
-        Shading::Textured(_) => "#define TEXTURED\n",
+        Shading::Textured(_) | Shading::Filtered { colors: None, .. } => "#define TEXTURED\n",
+        Shading::Filtered { colors: Some(_), .. } => "#define TEXTURED\n#define TINTED\n",
+        Shading::Glass(..) => "#define FLAT\n#define GLASS\n",
     };
     let program = gl.create_program().ok()?;
     for (kind, source) in [(glow::VERTEX_SHADER, VERTEX), (glow::FRAGMENT_SHADER, FRAGMENT)] {
@@ -162,16 +186,23 @@ unsafe fn program(gl: &glow::Context, scene: &Scene) -> Option<glow::Program> {
 unsafe fn upload(gl: &glow::Context, scene: &Scene) -> Option<i32> {
     let level = |color: &Rgb| color.map(|c| f32::from(c) / 255.0);
     let attribute = |number: usize, index: usize| match &scene.shading {
-        Shading::Solid(color) => level(color),
+        Shading::Solid(color) | Shading::Glass(color, _) => level(color),
         Shading::Smooth(colors) => level(&colors[index]),
         Shading::Faces(colors) => level(&colors[number]),
         Shading::Lit { normals, .. } => normals[index],
-        Shading::Textured(places) => [places[index][0], places[index][1], 0.0],
+        Shading::Textured(places) | Shading::Filtered { places, .. } => {
+            [places[index][0], places[index][1], 0.0]
+        }
+    };
+    let tints = match &scene.shading {
+        Shading::Filtered { colors, .. } => colors.as_ref(),
+        _ => None,
     };
     let mut words: Vec<f32> = Vec::new();
     let mut vertex = |number, index: usize| {
         words.extend(scene.positions[index]);
         words.extend(attribute(number, index));
+        words.extend(tints.into_iter().flat_map(|colors| level(&colors[index])));
     };
     let indices: Vec<u32> = if matches!(scene.shading, Shading::Faces(_)) {
         for (number, triangle) in scene.triangles.iter().enumerate() {
@@ -191,15 +222,16 @@ unsafe fn upload(gl: &glow::Context, scene: &Scene) -> Option<i32> {
     gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer));
     let vertices: Vec<_> = words.iter().map(|word| word.to_ne_bytes()).collect();
     gl.buffer_data_u8_slice(glow::ARRAY_BUFFER, &bytes(&vertices), glow::STATIC_DRAW);
-    for (at, offset) in [(0, 0), (1, 12)] {
-        gl.enable_vertex_attrib_array(at);
-        gl.vertex_attrib_pointer_f32(at, 3, glow::FLOAT, false, 24, offset);
+    let attributes = if tints.is_some() { 3 } else { 2 };
+    for at in 0..attributes {
+        gl.enable_vertex_attrib_array(at as u32);
+        gl.vertex_attrib_pointer_f32(at as u32, 3, glow::FLOAT, false, 12 * attributes, 12 * at);
     }
     let elements = gl.create_buffer().ok()?;
     gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(elements));
     let numbers: Vec<_> = indices.iter().map(|index| index.to_ne_bytes()).collect();
     gl.buffer_data_u8_slice(glow::ELEMENT_ARRAY_BUFFER, &bytes(&numbers), glow::STATIC_DRAW);
-    if matches!(scene.shading, Shading::Textured(_)) {
+    if matches!(scene.shading, Shading::Textured(_) | Shading::Filtered { .. }) {
         let texels: Vec<u8> = TEXELS.iter().flat_map(|&texel| scene::rgb(texel)).collect();
         let texture = gl.create_texture().ok()?;
         gl.bind_texture(glow::TEXTURE_2D, Some(texture));
@@ -216,8 +248,10 @@ unsafe fn upload(gl: &glow::Context, scene: &Scene) -> Option<i32> {
             glow::UNSIGNED_BYTE,
             glow::PixelUnpackData::Slice(Some(&texels)),
         );
+        let is_filtered = matches!(scene.shading, Shading::Filtered { .. });
+        let filter = if is_filtered { glow::LINEAR } else { glow::NEAREST };
         for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
-            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, filter as i32);
         }
     }
     i32::try_from(indices.len()).ok()

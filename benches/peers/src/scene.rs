@@ -38,6 +38,10 @@ pub(crate) enum Shading {
     Lit { normals: Vec<[f32; 3]>, smooth: bool },
     /// Places in [`TEXELS`], (0, 0) at the upper left, nearest texel.
     Textured(Vec<[f32; 2]>),
+    /// The same between the four nearest texels, times a colour a vertex if there are colours.
+    Filtered { places: Vec<[f32; 2]>, colors: Option<Vec<Rgb>> },
+    /// One for all, and how much of it covers what lies beneath, of 255.
+    Glass(Rgb, u8),
 }
 
 /// One of the measured scenes.
@@ -158,15 +162,19 @@ pub(crate) fn scenes(size: Size, bunny: Option<&Mesh>) -> Vec<Scene> {
     let quad = || vec![[-x, -y, -2.0], [x, -y, -2.0], [x, y, -2.0], [-x, y, -2.0]];
     let two = || vec![[0, 1, 2], [0, 2, 3]];
     let orange = || Shading::Solid([255, 128, 0]);
-    let colors = vec![[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]];
+    let colors = || vec![[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]];
     let leaning =
-        vec![[-1.6, -0.81, -2.0], [1.6, -0.81, -2.0], [1.6, 1.6, -4.0], [-1.6, 1.6, -4.0]];
-    let places = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
+        || vec![[-1.6, -0.81, -2.0], [1.6, -0.81, -2.0], [1.6, 1.6, -4.0], [-1.6, 1.6, -4.0]];
+    let places = || vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
+    let filtered = |colors| Shading::Filtered { places: places(), colors };
     let mut scenes = vec![
         Scene { depth: false, ..scene("F1", quad(), two(), orange()) },
         scene("F2", quad(), two(), orange()),
-        scene("F3", quad(), two(), Shading::Smooth(colors)),
-        scene("F4", leaning, two(), Shading::Textured(places)),
+        scene("F3", quad(), two(), Shading::Smooth(colors())),
+        scene("F4", leaning(), two(), Shading::Textured(places())),
+        scene("F5", leaning(), two(), filtered(None)),
+        scene("F5m", leaning(), two(), filtered(Some(colors()))),
+        Scene { depth: false, ..scene("blend", quad(), two(), Shading::Glass([255, 128, 0], 120)) },
         grid(half * size.aspect(), half),
     ];
     scenes.extend(lit("M1-teapot", "M2-teapot", &teapot()));

@@ -52,7 +52,7 @@ fn normal([a, b, c]: [[f32; 3]; 3]) -> [f32; 3] {
     (b - a).cross(&(c - a)).normalize().into()
 }
 
-/// All scenes.
+/// All scenes but those that filter or blend.
 pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
     let mut engine = K3dengine::new(size.width, size.height);
     engine.camera.set_fovy(scene::FIELD_OF_VIEW.to_radians());
@@ -63,6 +63,8 @@ pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
         Shading::Solid(solid) => vec![color(solid)],
         Shading::Smooth(colors) | Shading::Faces(colors) => colors.iter().map(color).collect(),
         Shading::Lit { .. } | Shading::Textured(_) => Vec::new(),
+        // It has no filter, and blends with black alone.
+        Shading::Filtered { .. } | Shading::Glass(..) => return None,
     };
     let texels: Vec<_> = TEXELS.iter().map(|&texel| Rgb565::from(RawU16::new(texel))).collect();
     Some(Box::new(Ready {
@@ -130,7 +132,7 @@ impl Ready {
                     draw_zbuffered_with_textures_state(primitive, buffer, depth, &textures, &state);
                     continue;
                 }
-                Shading::Lit { .. } => continue,
+                _ => continue,
             };
             draw_zbuffered_with_state(primitive, buffer, depth, &state);
         }

@@ -91,7 +91,7 @@ struct Ready {
     depth: Buffer2d<f32>,
 }
 
-/// All scenes.
+/// All scenes but those that filter or blend.
 pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
     let level = |color: &Rgb| From::Color(color.map(|c| f32::from(c) / 255.0));
     let corners = |from: &dyn Fn(usize, usize) -> From| {
@@ -116,6 +116,8 @@ pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
         Shading::Smooth(colors) => corners(&|_, index| level(&colors[index])),
         Shading::Faces(colors) => corners(&|number, _| level(&colors[number])),
         Shading::Lit { normals, .. } => corners(&|_, index| From::Normal(normals[index])),
+        // Neither filters nor blending are its own.
+        Shading::Filtered { .. } | Shading::Glass(..) => return None,
         Shading::Textured(places) => Vertices::Textured(
             scene
                 .triangles

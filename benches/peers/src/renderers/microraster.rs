@@ -5,10 +5,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use microraster::math::{Angle, Mat4, Vec3};
-use microraster::texture::{Sampler, Texture};
+use microraster::texture::{Sampler, Texture, TextureError};
 use microraster::{
-    normal, Camera, Color, Cull, DepthBuffer, Flat, Frame, Gouraud, IndexedList, Lambert, Less,
-    Light, Mesh, Normal, Pass, Rgb as Channels, Rgb565, Textured, VertexCache,
+    normal, Camera, Color, ConstantAlpha, Cull, DepthBuffer, Flat, Frame, Gouraud, IndexedList,
+    Lambert, Less, Light, Mesh, Normal, Pass, Rgb as Channels, Rgb565, Textured, VertexCache,
 };
 
 use super::Renderer;
@@ -21,6 +21,9 @@ enum Attributes {
     Faces(Vec<Channels>),
     Lit { normals: Vec<Normal>, smooth: bool },
     Textured(Vec<((), [i16; 2])>),
+    Filtered(Vec<((), [i16; 2])>),
+    Tinted(Vec<(Channels, [i16; 2])>),
+    Glass(Channels, u8),
 }
 
 /// A scene in this crate's form.
@@ -51,6 +54,11 @@ fn channels([red, green, blue]: Rgb) -> Channels {
     Channels::new(red, green, blue)
 }
 
+/// A place in a texture of which 4096 steps are the whole.
+fn texels(place: &[f32; 2]) -> [i16; 2] {
+    place.map(|c| (c * 4096.0) as i16)
+}
+
 /// Always ready.
 pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
     Some(Box::new(ready(scene, size)))
@@ -79,9 +87,17 @@ pub(crate) fn ready(scene: &Scene, size: Size) -> Ready {
             normals: normals.iter().map(|[x, y, z]| normal(Vec3::new(*x, *y, *z))).collect(),
             smooth: *smooth,
         },
-        Shading::Textured(places) => Attributes::Textured(
-            places.iter().map(|place| ((), place.map(|c| (c * 4096.0) as i16))).collect(),
-        ),
+        Shading::Textured(places) => {
+            Attributes::Textured(places.iter().map(|place| ((), texels(place))).collect())
+        }
+        Shading::Filtered { places, colors: None } => {
+            Attributes::Filtered(places.iter().map(|place| ((), texels(place))).collect())
+        }
+        Shading::Filtered { places, colors: Some(colors) } => {
+            let pairs = colors.iter().zip(places);
+            Attributes::Tinted(pairs.map(|(&c, place)| (channels(c), texels(place))).collect())
+        }
+        Shading::Glass(color, opacity) => Attributes::Glass(channels(*color), *opacity),
     };
     let drawing = Drawing {
         positions: scene.positions.iter().map(quantised).collect(),
@@ -99,6 +115,12 @@ pub(crate) fn ready(scene: &Scene, size: Size) -> Ready {
         depth: vec![0; size.pixels()],
         cache: Box::new(VertexCache::new()),
     }
+}
+
+/// The texture of all scenes.
+fn texture() -> Result<Texture<'static, Rgb565>, TextureError> {
+    let side = scene::SIDE as u16;
+    Texture::new(&scene::TEXELS, side, side)
 }
 
 /// Columns of a matrix that is given by rows.
@@ -183,13 +205,26 @@ impl Drawing {
                 }
             }
             Attributes::Textured(places) => {
-                let side = scene::SIDE as u16;
-                let Ok(texture) = Texture::<Rgb565>::new(&scene::TEXELS, side, side) else {
-                    return;
-                };
-                let Ok(sampler) = Sampler::nearest(texture) else { return };
+                let Ok(sampler) = texture().and_then(Sampler::nearest) else { return };
                 let mesh = Mesh::new(positions, places).indexed(indices).placed(placed.0, placed.1);
                 pass.depth(Less).draw(frame, &model, &mesh, &Textured::new(sampler));
+            }
+            Attributes::Filtered(places) => {
+                let Ok(sampler) = texture().and_then(Sampler::bilinear) else { return };
+                let mesh = Mesh::new(positions, places).indexed(indices).placed(placed.0, placed.1);
+                pass.depth(Less).draw(frame, &model, &mesh, &Textured::new(sampler));
+            }
+            Attributes::Tinted(places) => {
+                let Ok(sampler) = texture().and_then(Sampler::bilinear) else { return };
+                let mesh = Mesh::new(positions, places).indexed(indices).placed(placed.0, placed.1);
+                let shader = Textured::on(Gouraud::colored(), sampler);
+                pass.depth(Less).draw(frame, &model, &mesh, &shader);
+            }
+            Attributes::Glass(color, opacity) => {
+                let mesh = Mesh::new(positions, &self.nothing).indexed(indices);
+                let mesh = mesh.placed(placed.0, placed.1);
+                let mut pass = pass.blend(ConstantAlpha(*opacity));
+                pass.draw(frame, &model, &mesh, &Flat::solid(*color));
             }
         }
     }

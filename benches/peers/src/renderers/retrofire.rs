@@ -47,7 +47,7 @@ struct Ready {
 /// what it is given.
 const AT_ONCE: usize = 1024;
 
-/// All scenes.
+/// All scenes but those that filter or blend.
 pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
     let place = |index: usize| {
         let [x, y, z] = scene.positions[index];
@@ -78,6 +78,8 @@ pub(super) fn make(scene: &Scene, size: Size) -> Option<Box<dyn Renderer>> {
             own_vertices = true;
             apart(&|number| level(&colors[number]))
         }
+        // Neither filters nor blending are its own.
+        Shading::Filtered { .. } | Shading::Glass(..) => return None,
         Shading::Textured(places) => Vertices::Textured(
             (0..scene.positions.len())
                 .map(|index| vertex(place(index), uv(places[index][0], places[index][1])))

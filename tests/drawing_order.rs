@@ -1,4 +1,5 @@
-//! Rows from their last pixel, and few pixels one by one, are those of spans drawn from their first.
+//! Rows from their last pixel, several pixels at a time, and few pixels one by one, are those of spans
+//! drawn from their first.
 #![cfg(feature = "std")]
 #![allow(
     clippy::cast_possible_truncation,
@@ -12,7 +13,7 @@ mod support;
 
 use fixed::types::I8F8;
 use microraster::raster::{BoundingBox, ScreenVertex};
-use microraster::texture::{Mirror, Repeat, Sampler, Texture};
+use microraster::texture::{Mirror, Repeat, Replace, Sampler, Texture};
 use microraster::{
     Adaptive, AnyMask, AtFragments, Color, ConstantDepth, Corner, Damage, DepthRange, Equal, Every,
     Exact, Flat, Fog, Fogged, Format, Frame, Gouraud, Greater, Invert, Keep, Less, LessEqual,
@@ -248,12 +249,12 @@ fn pixels_are_those_of_rows_from_the_first() {
                         Sampler::new(texture, microraster::texture::Bilinear, Mirror, Repeat)
                             .expect("of a power of two")
                             .unit_bits(12);
-                    states(
-                        random,
-                        place,
-                        &triangles,
-                        &Textured::on(Flat::colored(), sampler).perspective(Every::<8>),
-                    )
+                    let shader = Textured::on(Flat::colored(), sampler);
+                    if round % 4 == 0 {
+                        states(random, place, &triangles, &shader.environment(Replace))
+                    } else {
+                        states(random, place, &triangles, &shader.perspective(Every::<8>))
+                    }
                 } else {
                     let sampler =
                         Sampler::nearest(texture).expect("of a power of two").unit_bits(10);

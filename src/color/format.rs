@@ -1,4 +1,4 @@
-use super::Color;
+use super::{ChannelLanes, Color, LANES};
 
 /// How one pixel lies in the caller's buffer.
 ///
@@ -30,6 +30,13 @@ pub trait Format {
 
     /// The stored value of a colour; fractions are cut off.
     fn pack(color: Color) -> Self::Raw;
+
+    /// The same for several pixels.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn pack_lanes(channels: &ChannelLanes) -> [Self::Raw; LANES] {
+        core::array::from_fn(|lane| Self::pack(channels.at(lane)))
+    }
 
     /// The colour of a stored value; `pack(unpack(raw)) == raw`.
     fn unpack(raw: Self::Raw) -> Color;

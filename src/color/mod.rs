@@ -13,6 +13,7 @@
 mod fade;
 mod fill;
 mod format;
+mod lanes;
 mod packed;
 mod pairs;
 mod rgb;
@@ -23,8 +24,10 @@ mod rgba8888;
 
 pub(crate) use fill::fill_words;
 pub use format::Format;
+pub(crate) use lanes::{Channel, HAS_VECTORS, LANES};
+pub use lanes::{ChannelLanes, ColorLanes};
 pub use packed::Color;
-pub(crate) use packed::{rounded, EIGHTS};
+pub(crate) use packed::{rounded, EIGHTS, HALF};
 pub(crate) use pairs::{add_to_pairs, multiply_pairs, subtract_from_pairs};
 pub use rgb::Rgb;
 pub use rgb16::Rgb16;

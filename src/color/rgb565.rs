@@ -1,6 +1,6 @@
 use super::fade::fade_pairs;
 use super::packed::HALF;
-use super::{fill_words, Color, Format, Rgb16, EIGHTS};
+use super::{fill_words, ChannelLanes, Color, Format, Rgb16, EIGHTS, LANES};
 
 /// What leads from 8.8 to 5.11 (of red and blue) and 6.10 (of green) where full is 31 and 63, in
 /// 256ths.
@@ -89,6 +89,12 @@ impl Format for Rgb565 {
     #[inline(always)]
     fn pack(color: Color) -> u16 {
         Self::encode(color)
+    }
+
+    #[inline(always)]
+    fn pack_lanes(channels: &ChannelLanes) -> [u16; LANES] {
+        let ChannelLanes { red, green, blue, .. } = channels;
+        core::array::from_fn(|i| red[i] & 0xF800 | green[i] >> 5 & 0x07E0 | blue[i] >> 11)
     }
 
     #[inline(always)]

@@ -20,6 +20,7 @@ mod phong;
 mod point_coordinates;
 mod row;
 mod row_fill;
+mod row_lanes;
 mod scalar;
 mod scalars;
 mod shader;

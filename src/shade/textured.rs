@@ -2,11 +2,11 @@ use core::marker::PhantomData;
 
 use super::{
     Adaptive, Corner, DrawContext, Perspective, PerspectiveMode, PerspectiveVarying, Row, Shader,
-    State, Unlit, Uv, UvStep, VertexInput,
+    State, Stepped, Unlit, Uv, UvStep, VertexInput,
 };
-use crate::color::{Color, Format};
+use crate::color::{Color, ColorLanes, Format};
 use crate::pipeline::Clip;
-use crate::texture::{Environment, Footprint, Modulate, Replace, Sample};
+use crate::texture::{Environment, Footprint, Modulate, Replace, Sample, Squares};
 
 /// A texture, alone or on what another shader draws.
 ///
@@ -124,10 +124,30 @@ where
                     (surface_step, UvStep { right: sampler.begun_way(right), down })
                 },
             );
-            return row.each(|(surface, uv)| {
+            let fragment = |(surface, uv): &(B::Varying, Uv)| {
                 let color = self.surface.fragment(prepared, surface)?;
                 self.environment.combine_begun(&sampler, *uv, color)
-            });
+            };
+            let Some(multiplies) = E::IN_LANES.filter(|_| <S::Level as Sample>::IN_LANES) else {
+                return row.each(fragment);
+            };
+            return row.each_in_lanes(
+                fragment,
+                |(surface, uv), (surface_step, step), groups| {
+                    let (mut surface, mut are_all) = (*surface, true);
+                    for Squares { surface: colors, .. } in &mut *groups {
+                        *colors = ColorLanes::of(|_| {
+                            let color = self.surface.fragment(prepared, &surface);
+                            surface.step(surface_step);
+                            are_all &= color.is_some();
+                            color.unwrap_or_default()
+                        });
+                    }
+                    are_all.then_some(())?;
+                    sampler.gather(*uv, step.right, groups)
+                },
+                |squares| squares.blended::<F>(multiplies),
+            );
         }
         row.each(|(surface, uv)| {
             let color = self.surface.fragment(prepared, surface)?;

@@ -4,6 +4,10 @@ use crate::shade::Uv;
 
 /// How a texel and the surface's colour become one: the texture environment of OpenGL 1.x.
 pub trait Environment {
+    /// Whether several pixels may be combined at a time, and the texel is multiplied then.
+    #[doc(hidden)]
+    const IN_LANES: Option<bool> = None;
+
     /// The colour of a fragment.
     fn combine(&self, texel: Color, surface: Color) -> Color;
 
@@ -23,6 +27,8 @@ pub trait Environment {
 pub struct Modulate;
 
 impl Environment for Modulate {
+    const IN_LANES: Option<bool> = Some(true);
+
     #[inline(always)]
     fn combine(&self, texel: Color, surface: Color) -> Color {
         // (t + 1/2)(c + 1/2) / 256 is t c / 255 + 1/2, less half a step at most.
@@ -43,6 +49,8 @@ impl Environment for Modulate {
 pub struct Replace;
 
 impl Environment for Replace {
+    const IN_LANES: Option<bool> = Some(false);
+
     #[inline(always)]
     fn combine(&self, texel: Color, _surface: Color) -> Color {
         texel

@@ -1,9 +1,13 @@
 use super::texel_format::multiplied;
-use super::{Axis, TexelFormat, Texture, Weights, Wrap};
+use super::{Axis, Squares, TexelFormat, Texture, Weights, Wrap};
 use crate::color::Color;
 
 /// What a texture shows between the middles of its texels.
 pub trait Filter: Copy {
+    /// Whether several pixels are worth sampling at a time, if the format says so too.
+    #[doc(hidden)]
+    const IN_LANES: bool = false;
+
     /// A coordinate as the filter takes it and a run of pixels steps it, by what
     /// [`Wrap::turned`] makes of the way.
     fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32;
@@ -21,6 +25,21 @@ pub trait Filter: Copy {
         constants: [u32; 2],
         surface: Option<Color>,
     ) -> Option<Color>;
+
+    /// Looks up what [`sample`](Self::sample) mixes, for pixels side by side.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn gather<T: TexelFormat, U: Wrap, V: Wrap>(
+        self,
+        _texture: &Texture<'_, T>,
+        _wraps: (U, V),
+        _axes: &[Axis; 2],
+        _uv: [i32; 2],
+        _way: [i32; 2],
+        _squares: &mut [Squares],
+    ) -> Option<()> {
+        None
+    }
 }
 
 /// The texel in which the point lies.
@@ -101,7 +120,22 @@ fn corners<T: TexelFormat, U: Wrap, V: Wrap>(
     Some([a, b, c, d])
 }
 
+/// The texels around a point in pairs, where they are no square of the data: few points lie there.
+#[cold]
+#[inline(never)]
+fn edge_pairs<T: TexelFormat, U: Wrap, V: Wrap>(
+    texture: &Texture<'_, T>,
+    wraps: (U, V),
+    axes: &[Axis; 2],
+    uv: [i32; 2],
+) -> Option<[u32; 2]> {
+    let [a, b, c, d] = corners(texture, wraps, axes, uv, T::PLACES)?;
+    Some([T::pair(a, b), T::pair(c, d)])
+}
+
 impl Filter for Bilinear {
+    const IN_LANES: bool = true;
+
     #[inline(always)]
     fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
         wrap.before(axis, at, T::PLACES)
@@ -128,6 +162,36 @@ impl Filter for Bilinear {
         let (whole, axes) = (*texture, *axes);
         let corners = move || corners(&whole, wraps, &axes, [u, v], T::PLACES);
         texture.blend_square(place, u_axis.row(1), corners, weights, constants, surface)
+    }
+
+    #[inline(never)]
+    fn gather<T: TexelFormat, U: Wrap, V: Wrap>(
+        self,
+        texture: &Texture<'_, T>,
+        wraps: (U, V),
+        axes: &[Axis; 2],
+        [mut u, mut v]: [i32; 2],
+        way: [i32; 2],
+        squares: &mut [Squares],
+    ) -> Option<()> {
+        let ((across, down), [u_axis, v_axis]) = (wraps, axes);
+        for squares in squares {
+            squares.fill(|| {
+                let (left, x) = across.place(u_axis, u, T::PLACES);
+                let (upper, y) = down.place(v_axis, v, T::PLACES);
+                let is_square = left < u_axis.last() && (V::ENDLESS || upper < v_axis.last());
+                let place = u_axis.row(upper).wrapping_add(left as usize);
+                let found = if is_square { texture.pairs(place, u_axis.row(1)) } else { None };
+                let [upper, lower] = match found {
+                    Some(pairs) => pairs,
+                    None => edge_pairs(texture, wraps, axes, [u, v])?,
+                };
+                let [x, y] = Weights::new(x, y).coarse();
+                (u, v) = (u.wrapping_add(way[0]), v.wrapping_add(way[1]));
+                Some([upper, lower, x | y << 16])
+            })?;
+        }
+        Some(())
     }
 }
 

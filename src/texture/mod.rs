@@ -26,6 +26,7 @@ mod mip_map;
 mod mip_sampler;
 mod sample;
 mod sampler;
+mod squares;
 mod texel_format;
 #[allow(clippy::module_inception, reason = "one public type a file, named after it")]
 mod texture;
@@ -46,6 +47,8 @@ pub use mip_map::{MipMap, Reduce};
 pub use mip_sampler::MipSampler;
 pub use sample::Sample;
 pub use sampler::Sampler;
+#[doc(hidden)]
+pub use squares::Squares;
 pub use texel_format::{PaletteEntry, TexelFormat};
 pub use texture::Texture;
 pub use weights::Weights;

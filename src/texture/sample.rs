@@ -1,4 +1,4 @@
-use super::{Environment, Footprint, Modulate};
+use super::{Environment, Footprint, Modulate, Squares};
 use crate::color::Color;
 use crate::shade::Uv;
 
@@ -6,6 +6,10 @@ use crate::shade::Uv;
 pub trait Sample {
     /// What is sampled for a run of pixels.
     type Level: Sample;
+
+    /// Whether several pixels are worth fetching at a time: then it [gathers](Self::gather).
+    #[doc(hidden)]
+    const IN_LANES: bool = false;
 
     /// What suits pixels of this footprint; `footprint` is made only where it is needed.
     fn level(&self, footprint: impl FnOnce() -> Footprint) -> Self::Level;
@@ -38,5 +42,13 @@ pub trait Sample {
     #[inline(always)]
     fn modulate_begun(&self, uv: Uv, surface: Color) -> Option<Color> {
         Some(Modulate.combine(self.fetch_begun(uv)?, surface))
+    }
+
+    /// Looks up the texels of RGB565 around pixels side by side, whose coordinates have
+    /// [begun](Self::begin) and go on by `way`.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn gather(&self, _uv: Uv, _way: Uv, _squares: &mut [Squares]) -> Option<()> {
+        None
     }
 }

@@ -1,6 +1,6 @@
 use super::{
-    Axis, Bilinear, Filter, Footprint, Nearest, Repeat, Sample, TexelFormat, Texture, TextureError,
-    Wrap,
+    Axis, Bilinear, Filter, Footprint, Nearest, Repeat, Sample, Squares, TexelFormat, Texture,
+    TextureError, Wrap,
 };
 use crate::color::Color;
 use crate::shade::Uv;
@@ -146,6 +146,8 @@ impl<'a, T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sampler<'a, T, F, U, V> {
 impl<T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sample for Sampler<'_, T, F, U, V> {
     type Level = Self;
 
+    const IN_LANES: bool = F::IN_LANES && T::IN_LANES;
+
     #[inline(always)]
     fn level(&self, _footprint: impl FnOnce() -> Footprint) -> Self {
         *self
@@ -175,5 +177,11 @@ impl<T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sample for Sampler<'_, T, F, U
     #[inline(always)]
     fn modulate_begun(&self, uv: Uv, surface: Color) -> Option<Color> {
         self.fetch_begun(uv, Some(surface))
+    }
+
+    #[inline(always)]
+    fn gather(&self, uv: Uv, way: Uv, squares: &mut [Squares]) -> Option<()> {
+        let Self { texture, axes, filter, wraps, .. } = self;
+        filter.gather(texture, *wraps, axes, [uv.u, uv.v], [way.u, way.v], squares)
     }
 }

@@ -66,6 +66,24 @@ pub trait TexelFormat {
     ) -> Option<Color> {
         Some(multiplied(Self::blend(corners()?, weights, constants), surface))
     }
+
+    /// Whether several pixels are worth blending at a time, as [`Squares`] of RGB565 texels.
+    #[doc(hidden)]
+    const IN_LANES: bool = false;
+
+    /// Two texels in a word, the first one below.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn pair(_first: Self::Texel, _second: Self::Texel) -> u32 {
+        0
+    }
+
+    /// Texel `index` and the next one, and both a row behind; `None` beyond the data.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn pairs(_words: &[Self::Word], _index: usize, _row: usize) -> Option<[u32; 2]> {
+        None
+    }
 }
 
 /// A texel multiplied with the colour of a surface, if there is one.

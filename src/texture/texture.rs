@@ -140,4 +140,10 @@ impl<'a, T: TexelFormat> Texture<'a, T> {
     ) -> Option<Color> {
         T::blend_square(self.words, place, row, corners, weights, constants, surface)
     }
+
+    /// Texel `place` and the one behind it, and both below; `None` beyond the data.
+    #[inline(always)]
+    pub(super) fn pairs(&self, place: usize, row: usize) -> Option<[u32; 2]> {
+        T::pairs(self.words, place, row)
+    }
 }

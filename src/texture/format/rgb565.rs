@@ -1,4 +1,4 @@
-use crate::color::{Color, Rgb565};
+use crate::color::{Color, Rgb565, HAS_VECTORS};
 use crate::math::{rare, BY_HALVES};
 use crate::texture::{PaletteEntry, TexelFormat, Weights};
 
@@ -92,6 +92,19 @@ impl TexelFormat for Rgb565 {
     #[inline(always)]
     fn blend([a, b, c, d]: [u16; 4], weights: Weights, constants: [u32; 2]) -> Color {
         shown(blended([&a, &b, &c, &d], weights.coarse(), constants))
+    }
+
+    const IN_LANES: bool = HAS_VECTORS;
+
+    #[inline(always)]
+    fn pair(first: u16, second: u16) -> u32 {
+        u32::from(first) | u32::from(second) << 16
+    }
+
+    #[inline(always)]
+    fn pairs(words: &[u16], index: usize, row: usize) -> Option<[u32; 2]> {
+        let [[a, b], [c, d]] = square_at(words, index, row)?;
+        Some([Self::pair(*a, *b), Self::pair(*c, *d)])
     }
 }
 

@@ -1,5 +1,5 @@
 use crate::color::Format;
-use crate::frame::{DepthAccess, Rect, Supplies, Target, Window};
+use crate::frame::{DepthAccess, Frame, Rect, Supplies, Target, Window};
 use crate::math::BY_HALVES;
 use crate::raster::{
     Few, Gradients, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
@@ -325,17 +325,18 @@ impl<V: Varying> Fill<'_, V> {
         let depth = state.parts().0;
         let at_once = <Access<S>>::HAS_DEPTH && !depth.is_constant() && !depth.maps();
         let in_pieces;
-        let mut ready = if at_once && V::AT_ONCE {
-            let mut set = if H::COLOR_AS_IS && state.parts().1.dims() {
-                V::at_once(self.triangle, &self.corners.each_ref().map(V::dim::<F>))
+        let mut ready: Ready<V>;
+        if at_once && V::AT_ONCE {
+            // Made in place.
+            ready = if H::COLOR_AS_IS && state.parts().1.dims() {
+                Ready { set: V::at_once(self.triangle, &self.corners.each_ref().map(V::dim::<F>)) }
             } else {
-                V::at_once(self.triangle, self.corners)
+                Ready { set: V::at_once(self.triangle, self.corners) }
             };
             if MOVES {
-                Self::offset(&mut set.1, self.triangle, state.parts().0);
+                Self::offset(&mut ready.set.1, self.triangle, state.parts().0);
             }
-            in_pieces = V::are_in_pieces(&set.0);
-            Ready::<V> { set }
+            in_pieces = V::are_in_pieces(&ready.set.0);
         } else {
             // What neither depth nor varyings ask for is not computed.
             let gradients =
@@ -346,65 +347,25 @@ impl<V: Varying> Fill<'_, V> {
                 Plane::default()
             };
             in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
-            Ready::<V> { set: (self.planes::<H, S, F>(&gradients, in_pieces, state), z_plane) }
-        };
+            ready = Ready { set: (self.planes::<H, S, F>(&gradients, in_pieces, state), z_plane) };
+        }
         match &mut *target {
-            Target::Whole(window) if !in_pieces => loop {
-                let drawn = ready.draw::<H, S, F>(batch.spans(), window, state, shader);
+            Target::Whole(window) => loop {
+                let spans = batch.spans();
+                let drawn = ready.draw_any::<H, S, F>(in_pieces, spans, window, state, shader);
                 if drawn.is_none() || batch.is_last() {
                     return;
                 }
                 walk.next_spans(batch);
             },
             // Where this cannot be, it is not there.
-            target if V::PIECE != 0 || <Access<S>>::TOUCHES => {
-                ready.draw_pieces::<H, S, F, D, W>(in_pieces, target, state, shader, walk, batch);
+            Target::Rows(frame) if <Access<S>>::TOUCHES => {
+                ready.draw_apart::<H, S, F, D, W>(in_pieces, frame, state, shader, walk, batch);
             }
-            _ => {}
+            Target::Rows(_) => {}
         }
     }
 }
-
-/// Spans in pieces of `length` pixels from each row's first covered one, as far as they are drawn.
-struct Pieces<'a> {
-    spans: core::slice::Iter<'a, Span>,
-    /// The latest piece.
-    piece: Span,
-    /// Where the next one begins, and where its row ends.
-    from: i32,
-    right: i32,
-    length: i32,
-}
-
-impl<'a> Pieces<'a> {
-    fn new(spans: &'a [Span], length: i32) -> Self {
-        Self { spans: spans.iter(), piece: Span::default(), from: 0, right: 0, length }
-    }
-
-    /// Goes on to the next piece; where it would begin if all of it were drawn.
-    #[inline(never)]
-    fn next(&mut self) -> Option<i32> {
-        let mut start = self.from;
-        self.piece.left = start;
-        let mut end = start.wrapping_add(self.length);
-        if start >= self.right {
-            self.piece = *self.spans.next()?;
-            self.right = self.piece.right;
-            end = self.piece.first;
-            while {
-                start = end;
-                end = start.wrapping_add(self.length);
-                end <= self.piece.left
-            } {}
-        }
-        self.from = end;
-        self.piece.right = end.min(self.right);
-        Some(start)
-    }
-}
-
-/// Longer than any row, and nothing overflows.
-const ENDLESS: i32 = 1 << 20;
 
 /// A triangle's planes, ready for its spans.
 struct Ready<V: Varying> {
@@ -413,19 +374,42 @@ struct Ready<V: Varying> {
 }
 
 impl<V: Varying> Ready<V> {
-    /// Draws all spans one by one, in pieces where planes are to be settled on each.
-    ///
-    /// Apart, so that other triangles do not pay for it.
-    #[inline(never)]
-    fn draw_pieces<H, S, F, D, W>(
+    /// Draws spans, in pieces or not; `None` if the frame does not reach so far.
+    #[inline(always)]
+    fn draw_any<H, S, F>(
         &mut self,
         in_pieces: bool,
-        target: &mut Target<'_, '_, F, D, Access<S>>,
+        spans: &[Span],
+        window: &mut Window<'_, F, Access<S>>,
+        state: &mut S,
+        shader: &H,
+    ) -> Option<()>
+    where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+    {
+        if V::PIECE != 0 && in_pieces {
+            self.draw_pieces::<H, S, F>(spans, window, state, shader)
+        } else {
+            self.draw::<H, S, F>(spans, window, state, shader)
+        }
+    }
+
+    /// Draws all spans, each on a window of its own.
+    ///
+    /// Apart, so that other frames do not pay for it.
+    #[inline(never)]
+    fn draw_apart<H, S, F, D, W>(
+        &mut self,
+        in_pieces: bool,
+        frame: &mut Frame<'_, F, D>,
         state: &mut S,
         shader: &H,
         walk: &mut W,
         batch: &mut SpanBatch,
-    ) where
+    ) -> Option<()>
+    where
         H: Fragments<Varying = V>,
         S: State,
         F: Format,
@@ -433,32 +417,64 @@ impl<V: Varying> Ready<V> {
         W: SpanWalk,
     {
         loop {
-            let length = if in_pieces { V::PIECE } else { ENDLESS };
-            let mut pieces = Pieces::new(batch.spans(), length);
-            while let Some(start) = pieces.next() {
-                let piece = &pieces.piece;
-                // Asked anew for each piece, as the target is: the compiler makes a loop for every
-                // answer that it can ask for once.
-                if V::PIECE != 0 && pieces.length != ENDLESS {
-                    V::settle(&mut self.set.0, start, piece.y);
-                }
-                let spans = core::slice::from_ref(piece);
-                let drawn = match core::hint::black_box(&mut *target) {
-                    Target::Whole(window) => self.draw::<H, S, F>(spans, window, state, shader),
-                    Target::Rows(frame) => frame.window(piece).and_then(|mut window| {
-                        self.draw::<H, S, F>(spans, &mut window, state, shader)
-                    }),
-                };
-                // The frame does not reach so far.
-                if drawn.is_none() {
-                    return;
-                }
+            for span in batch.spans() {
+                let mut window = frame.window(span)?;
+                let spans = core::slice::from_ref(span);
+                self.draw_any::<H, S, F>(in_pieces, spans, &mut window, state, shader)?;
             }
             if batch.is_last() {
-                return;
+                return None;
             }
             walk.next_spans(batch);
         }
+    }
+
+    /// Draws spans in pieces, from each row's first covered pixel, and settles planes on each.
+    ///
+    /// Apart, so that other triangles do not pay for it.
+    #[inline(never)]
+    fn draw_pieces<H, S, F>(
+        &mut self,
+        spans: &[Span],
+        window: &mut Window<'_, F, Access<S>>,
+        state: &mut S,
+        shader: &H,
+    ) -> Option<()>
+    where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+    {
+        // Kept in memory, which the pixel loop may change for all that the compiler knows.
+        let mut kept = (self, spans.iter());
+        core::hint::black_box(&mut kept);
+        let in_place = S::Output::PLAIN && !V::IN_RUNS;
+        let mut level = window.level()?;
+        while let Some(span) = kept.1.next() {
+            let mut left = span.left;
+            loop {
+                let Span { y, first, right, .. } = *span;
+                let beyond =
+                    (left.wrapping_sub(first) as u32).checked_rem(V::PIECE.unsigned_abs())?;
+                let start = left.wrapping_sub(beyond.cast_signed());
+                let end = start.wrapping_add(V::PIECE).min(right);
+                let piece = Span { left, right: end, ..*span };
+                let ready = &mut *kept.0;
+                V::settle(&mut ready.set.0, start, y);
+                core::hint::black_box(());
+                if in_place {
+                    ready.draw_span::<H, S, F>(&piece, &mut level, state.parts(), shader)?;
+                } else {
+                    let spans = core::slice::from_ref(&piece);
+                    ready.draw::<H, S, F>(spans, &mut level, state, shader)?;
+                }
+                if end >= right {
+                    break;
+                }
+                left = end;
+            }
+        }
+        Some(())
     }
 
     /// Draws spans; `None` if the frame does not reach so far.
@@ -493,72 +509,91 @@ impl<V: Varying> Ready<V> {
         } else {
             does_more_than_store && !<Access<S>>::HAS_DEPTH
         };
-        let Self { set: (planes, z_plane) } =
-            if planes_stay { core::hint::black_box(self) } else { self };
+        let ready = if planes_stay { core::hint::black_box(self) } else { self };
+        for span in spans.by_ref() {
+            let parts = (depth, output, &mut *counter);
+            ready.draw_span::<H, S, F>(span, &mut window, parts, shader)?;
+        }
+        Some(())
+    }
+
+    /// Draws a span; `None` if the frame does not reach so far.
+    #[inline(always)]
+    fn draw_span<H, S, F>(
+        &self,
+        span: &Span,
+        window: &mut Window<'_, F, Access<S>>,
+        (depth, output, counter): (&S::Depth, &S::Output, &mut S::Counter),
+        shader: &H,
+    ) -> Option<()>
+    where
+        H: Fragments<Varying = V>,
+        S: State,
+        F: Format,
+    {
+        let Self { set: (planes, z_plane) } = self;
         // RISC-V adds no two registers for an address: one number instead of two pointers spares
         // nothing there.
         let from_last = S::Output::PLAIN
             && <Access<S>>::TOUCHES
             && V::JUMPS
             && cfg!(not(target_arch = "riscv32"));
-        for span in spans.by_ref() {
-            let Span { y, left, right, .. } = *span;
-            // No row is longer. As the compiler knows it, one number is a pixel's place among colours
-            // and cells, and the count.
-            let longest = if from_last { 0xFFFF } else { usize::MAX };
-            let mut runs = V::runs(planes, span);
-            if V::IN_RUNS {
-                let mut x = left;
-                while x < right {
-                    let (varying, step, end) = V::run(planes, &mut runs, span, x);
-                    let end = end.min(right);
-                    let length = end.wrapping_sub(x) as usize & longest;
-                    let (pixels, cells) = window.row(y, x, length)?;
-                    let behind = from_last.then(|| {
-                        let mut behind = varying;
-                        behind.jump(&step, end.wrapping_sub(x));
-                        (behind, z_plane.at(end, y))
-                    });
-                    shader.span(Row::<S, F, V> {
-                        x,
-                        y,
-                        pixels,
-                        cells,
-                        z: z_plane.at(x, y),
-                        z_step: z_plane.dx,
-                        may_be_level: true,
-                        varying,
-                        step,
-                        behind,
-                        depth,
-                        output,
-                        counter: &mut *counter,
-                    });
-                    x = end;
-                }
-                continue;
+        let Span { y, left, right, .. } = *span;
+        // No row is longer. As the compiler knows it, one number is a pixel's place among colours
+        // and cells, and the count.
+        let longest = if from_last { 0xFFFF } else { usize::MAX };
+        let mut runs = V::runs(planes, span);
+        if V::IN_RUNS {
+            let mut x = left;
+            while x < right {
+                let (varying, step, end) = V::run(planes, &mut runs, span, x);
+                let end = end.min(right);
+                let length = end.wrapping_sub(x) as usize & longest;
+                let (pixels, cells) = window.row(y, x, length)?;
+                let behind = from_last.then(|| {
+                    let mut behind = varying;
+                    behind.jump(&step, end.wrapping_sub(x));
+                    (behind, z_plane.at(end, y))
+                });
+                shader.span(Row::<S, F, V> {
+                    x,
+                    y,
+                    pixels,
+                    cells,
+                    z: z_plane.at(x, y),
+                    z_step: z_plane.dx,
+                    may_be_level: true,
+                    varying,
+                    step,
+                    behind,
+                    depth,
+                    output,
+                    counter: &mut *counter,
+                });
+                x = end;
             }
-            let length = right.wrapping_sub(left) as usize & longest;
-            let (pixels, cells) = window.row(y, left, length)?;
-            let (varying, step, _) = V::run(planes, &mut runs, span, left);
-            let behind =
-                from_last.then(|| (V::run(planes, &mut runs, span, right).0, z_plane.at(right, y)));
-            shader.span(Row::<S, F, V> {
-                x: left,
-                y,
-                pixels,
-                cells,
-                z: z_plane.at(left, y),
-                z_step: z_plane.dx,
-                may_be_level: true,
-                varying,
-                step,
-                behind,
-                depth,
-                output,
-                counter,
-            });
+            return Some(());
         }
+        let length = right.wrapping_sub(left) as usize & longest;
+        let (pixels, cells) = window.row(y, left, length)?;
+        let (varying, step, _) = V::run(planes, &mut runs, span, left);
+        let behind =
+            from_last.then(|| (V::run(planes, &mut runs, span, right).0, z_plane.at(right, y)));
+        shader.span(Row::<S, F, V> {
+            x: left,
+            y,
+            pixels,
+            cells,
+            z: z_plane.at(left, y),
+            z_step: z_plane.dx,
+            may_be_level: true,
+            varying,
+            step,
+            behind,
+            depth,
+            output,
+            counter,
+        });
         Some(())
     }
 }

@@ -139,7 +139,11 @@ impl Varying for SmoothColor {
     fn settle(planes: &mut SmoothColorPlanes, x: i32, y: i32) {
         if let Some([blue, red]) = &planes.fine {
             // In range at a covered pixel, so that nothing is lent.
-            let here = blue.at(x, y) & 0xFFFF_0000 | red.at(x, y) >> 16;
+            let blue = blue.at(x, y) & 0xFFFF_0000;
+            // One plane after the other: they need registers.
+            core::hint::black_box(());
+            let here = blue | red.at(x, y) >> 16;
+            core::hint::black_box(());
             let drift = here.wrapping_sub(planes.blue_red.at(x, y));
             planes.blue_red.origin = planes.blue_red.origin.wrapping_add(drift);
         }

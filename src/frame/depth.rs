@@ -1,3 +1,4 @@
+use core::ops::Range;
 use core::slice::{Iter, IterMut};
 
 /// A frame without depth: no field, no branch, no cycle.
@@ -35,6 +36,11 @@ pub trait DepthAccess {
         from: usize,
         length: usize,
     ) -> Option<Self::Cells<'a>>;
+    /// The same of a range, which is checked in one step where the compiler knows its order.
+    #[inline(always)]
+    fn range<'a>(cells: &'a mut Self::Cells<'_>, range: Range<usize>) -> Option<Self::Cells<'a>> {
+        Self::part(cells, range.start, range.len())
+    }
     /// One cell, as a row of its own.
     fn one<'a>(cells: &'a mut Self::Cells<'_>, at: usize) -> Option<Self::Cells<'a>>;
 
@@ -124,6 +130,11 @@ impl DepthAccess for ReadWrite {
         length: usize,
     ) -> Option<&'a mut [u16]> {
         cells.get_mut(from..)?.get_mut(..length)
+    }
+
+    #[inline(always)]
+    fn range<'a>(cells: &'a mut Self::Cells<'_>, range: Range<usize>) -> Option<&'a mut [u16]> {
+        cells.get_mut(range)
     }
 
     #[inline(always)]

@@ -40,6 +40,20 @@ impl<F: Format, A: DepthAccess> Window<'_, F, A> {
         Some((pixels, A::part(&mut self.cells, at, length)?))
     }
 
+    /// The same of no more columns than a row can have, where the compiler knows that.
+    #[inline(always)]
+    pub(crate) fn short_row(
+        &mut self,
+        y: i32,
+        left: i32,
+        length: usize,
+    ) -> Option<(&mut [F::Raw], A::Cells<'_>)> {
+        // No slice is longer: the end is not before the beginning then, and is checked alone.
+        let at = self.number(left, y) & (usize::MAX >> 1);
+        let range = at..at.wrapping_add(length);
+        Some((self.pixels.get_mut(range.clone())?, A::range(&mut self.cells, range)?))
+    }
+
     /// The number of a pixel in the window.
     #[inline(always)]
     pub(crate) fn number(&self, x: i32, y: i32) -> usize {

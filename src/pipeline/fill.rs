@@ -450,7 +450,7 @@ impl<V: Varying> Ready<V> {
         core::hint::black_box(&mut kept);
         let in_place = S::Output::PLAIN && !V::IN_RUNS;
         let mut level = window.level()?;
-        while let Some(span) = kept.1.next() {
+        for span in kept.1.by_ref() {
             let mut left = span.left;
             loop {
                 let Span { y, first, right, .. } = *span;
@@ -575,10 +575,23 @@ impl<V: Varying> Ready<V> {
             return Some(());
         }
         let length = right.wrapping_sub(left) as usize & longest;
-        let (pixels, cells) = window.row(y, left, length)?;
-        let (varying, step, _) = V::run(planes, &mut runs, span, left);
-        let behind =
-            from_last.then(|| (V::run(planes, &mut runs, span, right).0, z_plane.at(right, y)));
+        if from_last && V::INTERPOLATED && !<Access<S>>::HAS_STENCIL && length == 0 {
+            return None;
+        }
+        let checks_end = if BY_HALVES { from_last && V::INTERPOLATED } else { true };
+        let (pixels, cells) = if checks_end && !<Access<S>>::HAS_STENCIL {
+            window.short_row(y, left, length)?
+        } else {
+            window.row(y, left, length)?
+        };
+        // Evaluated once: behind the row where it is drawn from its last pixel.
+        let at = if from_last { right } else { left };
+        let (varying, step, _) = V::run(planes, &mut runs, span, at);
+        let behind = from_last.then(|| (varying, z_plane.at(right, y)));
+        let mut varying = varying;
+        if from_last {
+            varying.jump(&step, left.wrapping_sub(right));
+        }
         shader.span(Row::<S, F, V> {
             x: left,
             y,

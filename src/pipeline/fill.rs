@@ -587,6 +587,7 @@ impl<V: Varying> Ready<V> {
         // Evaluated once: behind the row where it is drawn from its last pixel.
         let at = if from_last { right } else { left };
         let (varying, step, _) = V::run(planes, &mut runs, span, at);
+        core::hint::black_box(());
         let behind = from_last.then(|| (varying, z_plane.at(right, y)));
         let mut varying = varying;
         if from_last {

@@ -126,7 +126,9 @@ impl Varying for SmoothColor {
         x: i32,
     ) -> (Self, (u32, u32), i32) {
         let y = span.y;
-        let color = Color { blue_red: planes.blue_red.at(x, y), green: planes.green.at(x, y) };
+        let blue_red = planes.blue_red.at(x, y);
+        core::hint::black_box(());
+        let color = Color { blue_red, green: planes.green.at(x, y) };
         (Self(color), (planes.blue_red.dx, planes.green.dx), i32::MAX)
     }
 

@@ -1,5 +1,5 @@
 use crate::color::Format;
-use crate::frame::{DepthAccess, Frame, Rect, Supplies, Target, Window};
+use crate::frame::{DepthAccess, Rect, Supplies, Target, Window};
 use crate::math::BY_HALVES;
 use crate::raster::{
     Few, Gradients, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
@@ -350,19 +350,18 @@ impl<V: Varying> Fill<'_, V> {
             ready = Ready { set: (self.planes::<H, S, F>(&gradients, in_pieces, state), z_plane) };
         }
         match &mut *target {
-            Target::Whole(window) => loop {
-                let spans = batch.spans();
-                let drawn = ready.draw_any::<H, S, F>(in_pieces, spans, window, state, shader);
+            Target::Whole(window) if !in_pieces => loop {
+                let drawn = ready.draw::<H, S, F>(batch.spans(), window, state, shader);
                 if drawn.is_none() || batch.is_last() {
                     return;
                 }
                 walk.next_spans(batch);
             },
             // Where this cannot be, it is not there.
-            Target::Rows(frame) if <Access<S>>::TOUCHES => {
-                ready.draw_apart::<H, S, F, D, W>(in_pieces, frame, state, shader, walk, batch);
+            target if V::PIECE != 0 || <Access<S>>::TOUCHES => {
+                ready.draw_apart::<H, S, F, D, W>(in_pieces, target, state, shader, walk, batch);
             }
-            Target::Rows(_) => {}
+            _ => {}
         }
     }
 }
@@ -396,14 +395,14 @@ impl<V: Varying> Ready<V> {
         }
     }
 
-    /// Draws all spans, each on a window of its own.
+    /// Draws all spans, in pieces where planes are to be settled, or each on a window of its own.
     ///
-    /// Apart, so that other frames do not pay for it.
+    /// Apart, so that other triangles and frames do not pay for it.
     #[inline(never)]
     fn draw_apart<H, S, F, D, W>(
         &mut self,
         in_pieces: bool,
-        frame: &mut Frame<'_, F, D>,
+        target: &mut Target<'_, '_, F, D, Access<S>>,
         state: &mut S,
         shader: &H,
         walk: &mut W,
@@ -417,10 +416,18 @@ impl<V: Varying> Ready<V> {
         W: SpanWalk,
     {
         loop {
-            for span in batch.spans() {
-                let mut window = frame.window(span)?;
-                let spans = core::slice::from_ref(span);
-                self.draw_any::<H, S, F>(in_pieces, spans, &mut window, state, shader)?;
+            match target {
+                Target::Whole(window) if V::PIECE != 0 => {
+                    self.draw_pieces::<H, S, F>(batch.spans(), window, state, shader)?;
+                }
+                Target::Whole(_) => return None,
+                Target::Rows(frame) => {
+                    for span in batch.spans() {
+                        let mut window = frame.window(span)?;
+                        let spans = core::slice::from_ref(span);
+                        self.draw_any::<H, S, F>(in_pieces, spans, &mut window, state, shader)?;
+                    }
+                }
             }
             if batch.is_last() {
                 return None;

@@ -468,6 +468,7 @@ impl<V: Varying> Ready<V> {
                 let piece = Span { left, right: end, ..*span };
                 let ready = &mut *kept.0;
                 V::settle(&mut ready.set.0, start, y);
+                // Planes are read anew: there are no registers for them until here.
                 core::hint::black_box(());
                 if in_place {
                     ready.draw_span::<H, S, F>(&piece, &mut level, state.parts(), shader)?;
@@ -582,21 +583,23 @@ impl<V: Varying> Ready<V> {
             return Some(());
         }
         let length = right.wrapping_sub(left) as usize & longest;
+        // No span is empty: where the compiler is told that this ends the drawing, rows are not jumped
+        // over.
         if from_last && V::INTERPOLATED && !<Access<S>>::HAS_STENCIL && length == 0 {
             return None;
         }
-        let checks_end = if BY_HALVES { from_last && V::INTERPOLATED } else { true };
-        let (pixels, cells) = if checks_end && !<Access<S>>::HAS_STENCIL {
+        let in_one_step = !BY_HALVES || from_last && V::INTERPOLATED;
+        let (pixels, cells) = if in_one_step && !<Access<S>>::HAS_STENCIL {
             window.short_row(y, left, length)?
         } else {
             window.row(y, left, length)?
         };
         // Evaluated once: behind the row where it is drawn from its last pixel.
         let at = if from_last { right } else { left };
-        let (varying, step, _) = V::run(planes, &mut runs, span, at);
+        let (mut varying, step, _) = V::run(planes, &mut runs, span, at);
+        // Where planes stay in memory, one is read after the other.
         core::hint::black_box(());
         let behind = from_last.then(|| (varying, z_plane.at(right, y)));
-        let mut varying = varying;
         if from_last {
             varying.jump(&step, left.wrapping_sub(right));
         }

@@ -12,6 +12,9 @@ impl<T: Copy + Default> Stepped for Constant<T> {
 
     #[inline(always)]
     fn step(&mut self, (): &()) {}
+
+    #[inline(always)]
+    fn jump(&mut self, (): &(), _pixels: i32) {}
 }
 
 impl<T: Copy + Default> Varying for Constant<T> {

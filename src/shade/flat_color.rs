@@ -22,6 +22,9 @@ impl Stepped for FlatColor {
 
     #[inline(always)]
     fn step(&mut self, (): &()) {}
+
+    #[inline(always)]
+    fn jump(&mut self, (): &(), _pixels: i32) {}
 }
 
 impl Varying for FlatColor {

@@ -127,6 +127,7 @@ impl Varying for SmoothColor {
     ) -> (Self, (u32, u32), i32) {
         let y = span.y;
         let blue_red = planes.blue_red.at(x, y);
+        // As below.
         core::hint::black_box(());
         let color = Color { blue_red, green: planes.green.at(x, y) };
         (Self(color), (planes.blue_red.dx, planes.green.dx), i32::MAX)
@@ -142,7 +143,8 @@ impl Varying for SmoothColor {
         if let Some([blue, red]) = &planes.fine {
             // In range at a covered pixel, so that nothing is lent.
             let blue = blue.at(x, y) & 0xFFFF_0000;
-            // One plane after the other: they need registers.
+            // Where planes are in memory, one is read after the other: all at once they need more
+            // registers than there are.
             core::hint::black_box(());
             let here = blue | red.at(x, y) >> 16;
             core::hint::black_box(());

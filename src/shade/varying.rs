@@ -18,8 +18,28 @@ pub trait Stepped: Copy {
     /// Goes so many pixels to the right, or back where they are negative: the same bits as so many
     /// [steps](Self::step). Where [`JUMPS`](Self::JUMPS) says so; then rows may be drawn from their
     /// last pixel.
+    ///
+    /// Who says that without a `jump` of its own does not compile, once it is drawn:
+    ///
+    /// ```compile_fail,E0080
+    /// use microraster::Stepped;
+    ///
+    /// #[derive(Clone, Copy)]
+    /// struct Own(u32);
+    ///
+    /// impl Stepped for Own {
+    ///     type Step = u32;
+    ///     const JUMPS: bool = true;
+    ///     fn step(&mut self, step: &u32) {
+    ///         self.0 += step;
+    ///     }
+    /// }
+    /// Own(0).jump(&1, -1);
+    /// ```
     #[inline(always)]
-    fn jump(&mut self, _step: &Self::Step, _pixels: i32) {}
+    fn jump(&mut self, _step: &Self::Step, _pixels: i32) {
+        const { assert!(!Self::JUMPS, "what jumps has a jump of its own") };
+    }
 }
 
 /// A value that varies over a triangle: made at its corners, interpolated to its pixels.
@@ -87,7 +107,7 @@ pub trait Varying: Stepped {
     /// [in runs](Self::IN_RUNS). From run to run `x` grows.
     ///
     /// Of a varying that [jumps](Stepped::JUMPS) and does not come in runs, the value behind the span
-    /// is asked for too, at `span.right`: no pixel there need be covered.
+    /// may be asked for instead, at `span.right`: no pixel there need be covered.
     fn run(
         planes: &Self::Planes,
         runs: &mut Self::Runs,
@@ -146,6 +166,9 @@ impl Stepped for () {
 
     #[inline(always)]
     fn step(&mut self, (): &()) {}
+
+    #[inline(always)]
+    fn jump(&mut self, (): &(), _pixels: i32) {}
 }
 
 impl Varying for () {

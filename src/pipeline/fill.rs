@@ -542,10 +542,8 @@ impl<V: Varying> Ready<V> {
         let Self { set: (planes, z_plane) } = self;
         // RISC-V adds no two registers for an address: one number instead of two pointers spares
         // nothing there.
-        let from_last = S::Output::PLAIN
-            && <Access<S>>::TOUCHES
-            && V::JUMPS
-            && cfg!(not(target_arch = "riscv32"));
+        let by_numbers = cfg!(not(target_arch = "riscv32"));
+        let from_last = S::Output::PLAIN && <Access<S>>::TOUCHES && V::JUMPS && by_numbers;
         let Span { y, left, right, .. } = *span;
         // No row is longer. As the compiler knows it, one number is a pixel's place among colours
         // and cells, and the count.
@@ -588,7 +586,7 @@ impl<V: Varying> Ready<V> {
         if from_last && V::INTERPOLATED && !<Access<S>>::HAS_STENCIL && length == 0 {
             return None;
         }
-        let in_one_step = !BY_HALVES || from_last && V::INTERPOLATED;
+        let in_one_step = if BY_HALVES { from_last && V::INTERPOLATED } else { by_numbers };
         let (pixels, cells) = if in_one_step && !<Access<S>>::HAS_STENCIL {
             window.short_row(y, left, length)?
         } else {

@@ -241,17 +241,7 @@ impl Spans {
                 if end >= self.end {
                     break;
                 }
-                // Over to the short side's second edge.
-                self.turn = self.end;
-                let mut second = LongEdge::new(self.middle, self.low, end);
-                if self.is_medium {
-                    second = second.scaled();
-                }
-                if self.turns_right {
-                    self.right = second;
-                } else {
-                    self.left = second;
-                }
+                self.turn_over();
             }
             if places.is_empty() {
                 batch.last = false;
@@ -259,6 +249,23 @@ impl Spans {
             }
         }
         batch.length = SpanBatch::CAPACITY.wrapping_sub(places.len());
+    }
+}
+
+impl Spans {
+    /// Over to the short side's second edge. Apart, so that the walk's registers are the rows'.
+    #[inline(never)]
+    fn turn_over(&mut self) {
+        self.turn = self.end;
+        let mut second = LongEdge::new(self.middle, self.low, self.y);
+        if self.is_medium {
+            second = second.scaled();
+        }
+        if self.turns_right {
+            self.right = second;
+        } else {
+            self.left = second;
+        }
     }
 }
 

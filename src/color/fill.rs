@@ -3,48 +3,50 @@ use crate::math::BY_HALVES;
 /// Whether one instruction stores several registers, each of them once.
 const BY_GROUPS: bool = cfg!(target_arch = "arm");
 
-/// Sets all of `pixels` to what repeats in `word`, by whole words where they are aligned.
+/// Sets all of `pixels` to what is both halves of `word`: whole words where they are aligned.
 ///
-/// `raw` is one pixel of 16 or 32 bits, `word` the same pixel as often as it fits into 32 bits.
+/// `again` is `word` too, but the compiler is not to know: see below.
 ///
 /// # Cost
 /// Some 30 instructions on Cortex-M4 and one for eight words, up to 640 pixels of 16 bits at a time;
 /// some 40 on Cortex-M0+ and two for four words. Elsewhere one for a word.
 #[inline(never)]
-pub(crate) fn fill_words<T: bytemuck::Pod>(pixels: &mut [T], raw: T, word: u32) {
+#[allow(clippy::cast_possible_truncation, reason = "both halves are the same")]
+pub(crate) fn fill_halves(pixels: &mut [u16], word: u32, again: u32) {
     let mut pixels = pixels;
-    if size_of::<T>() == 2 {
-        if pixels.as_ptr().addr() & 2 != 0 {
-            let Some((first, rest)) = pixels.split_first_mut() else { return };
-            *first = raw;
-            pixels = rest;
-        }
-        let length = pixels.len();
-        if length & 1 != 0 {
-            if let Some(last) = pixels.last_mut() {
-                *last = raw;
-            }
-        }
-        let Some(pairs) = pixels.get_mut(..length & !1) else { return };
-        pixels = pairs;
+    if pixels.as_ptr().addr() & 2 != 0 {
+        let Some((first, rest)) = pixels.split_first_mut() else { return };
+        *first = word as u16;
+        pixels = rest;
     }
-    let Ok(words) = bytemuck::try_cast_slice_mut::<T, u32>(pixels) else { return };
-    if !BY_GROUPS || size_of::<T>() != 2 {
+    let length = pixels.len();
+    if length & 1 != 0 {
+        if let Some(last) = pixels.last_mut() {
+            *last = word as u16;
+        }
+    }
+    let Some(pairs) = pixels.get_mut(..length & !1) else { return };
+    let Ok(words) = bytemuck::try_cast_slice_mut::<u16, u32>(pairs) else { return };
+    if !BY_GROUPS {
         return fill_by_chunks(words, word);
     }
     if words.len() < if BY_HALVES { 4 } else { 8 } {
         return fill_one_by_one(words, word);
     }
-    // The same word, for all that the compiler knows another one.
-    let again = word.rotate_right(16);
     let is_filled = if BY_HALVES {
         fill_by_fours(words, fours(word, again))
     } else {
         fill_by_eights(words, eights(word, again))
     };
     if !is_filled {
-        fill_long(words, word);
+        fill_words(words, word);
     }
+}
+
+/// Sets all of `words` to `word`.
+#[inline(never)]
+pub(crate) fn fill_words(words: &mut [u32], word: u32) {
+    fill_by_chunks(words, word);
 }
 
 /// Few words.
@@ -79,12 +81,6 @@ fn fill_by_chunks(words: &mut [u32], word: u32) {
     }
 }
 
-/// More words than rows have.
-#[inline(never)]
-fn fill_long(words: &mut [u32], word: u32) {
-    fill_by_chunks(words, word);
-}
-
 // A store of several registers (`stm`) is made of stores to one place after the other, of registers
 // that the compiler happens to have taken in ascending order. So values must be ones that it does not know
 // to be equal; the order in which they are made and that in which they are stored were found by
@@ -94,20 +90,20 @@ fn fill_long(words: &mut [u32], word: u32) {
 #[inline(always)]
 const fn fours(word: u32, again: u32) -> [u32; 4] {
     let zero = word.wrapping_sub(again);
-    [again, word, again.wrapping_sub(zero), word.wrapping_add(zero)]
+    [word, again, again.wrapping_sub(zero), word.wrapping_add(zero)]
 }
 
 /// Eight values that are all `word`, if `again` is.
 #[inline(always)]
 const fn eights(word: u32, again: u32) -> [u32; 8] {
     let zero = word ^ again;
-    let both = word & again;
     let either = word | again;
-    let less = word.wrapping_sub(zero);
-    let more = word.wrapping_add(zero);
-    let again_less = again.wrapping_sub(zero);
     let again_more = again.wrapping_add(zero);
-    [both, word, either, less, again_more, again, again_less, more]
+    let less = word.wrapping_sub(zero);
+    let both = word & again;
+    let again_less = again.wrapping_sub(zero);
+    let more = word.wrapping_add(zero);
+    [more, word, again, again_less, either, again_more, less, both]
 }
 
 /// As many groups as there are, if that is a number known beforehand.
@@ -183,7 +179,7 @@ mod tests {
             for length in 0..100 {
                 let mut pixels = [7u16; 104];
                 if let Some(part) = pixels.get_mut(start..start + length) {
-                    fill_words(part, 0xABCD, 0xABCD_ABCD);
+                    fill_halves(part, 0xABCD_ABCD, 0xABCD_ABCD);
                 }
                 for (i, &pixel) in pixels.iter().enumerate() {
                     let inside = i >= start && i < start + length;

@@ -354,8 +354,8 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
         } else {
             self.counter.pixels(u32::try_from(self.pixels.len()).unwrap_or(u32::MAX));
             match self.pixels {
-                // Where it is known that there is but one, nothing is called.
-                [pixel] if S::Output::PLAIN => *pixel = F::pack(color),
+                // Where there may be but one, nothing is called for it.
+                [pixel] if S::Output::PLAIN && !self.may_be_level => *pixel = F::pack(color),
                 pixels => output.fill::<F>(pixels, color, self.x, self.y),
             }
         }

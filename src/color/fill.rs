@@ -8,8 +8,9 @@ const BY_GROUPS: bool = cfg!(target_arch = "arm");
 /// `again` is `word` too, but the compiler is not to know: see below.
 ///
 /// # Cost
-/// Some 30 instructions on Cortex-M4 and one for eight words, up to 640 pixels of 16 bits at a time;
-/// some 40 on Cortex-M0+ and two for four words. Elsewhere one for a word.
+/// Some 30 instructions on Cortex-M4 and one for eight words, some 40 on Cortex-M0+ and two for four
+/// words, of rows of up to 320 pixels. Of longer ones half an instruction a word on Cortex-M4, one
+/// on Cortex-M0+ and elsewhere.
 #[inline(never)]
 #[allow(clippy::cast_possible_truncation, reason = "both halves are the same")]
 pub(crate) fn fill_halves(pixels: &mut [u16], word: u32, again: u32) {

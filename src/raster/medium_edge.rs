@@ -29,7 +29,7 @@ const _: () = assert!(
     "what a batch loses is no more than the distance of crossings"
 );
 const _: () = assert!(LongEdge::SHORT_BY <= 1 << LOW, "less than a unit");
-const _: () = assert!(FARTHEST / 16 + 1 <= 1 << (31 - FRACTION), "columns fit");
+const _: () = assert!(FARTHEST / 16 < 1 << (31 - FRACTION), "columns fit");
 
 impl LongEdge {
     /// The same with its highest bits, which are those of the sign, left out: the upper word is the
@@ -78,6 +78,10 @@ mod tests {
     use crate::math::hard_numbers::Random;
     use crate::raster::{first_center, Point};
 
+    /// Rows of a batch.
+    const ROWS: i32 = 16;
+    const _: () = assert!(ROWS as usize == SpanBatch::CAPACITY, "rows of a batch");
+
     /// Walks an edge in batches and compares each row's column with the definition.
     fn check(a: Point, b: Point, skipped: i32) {
         let start = first_center(a.y) + skipped;
@@ -89,7 +93,7 @@ mod tests {
         let mut long = LongEdge::new(a, b, start).scaled();
         let mut y = start;
         while y < end {
-            let rows = (SpanBatch::CAPACITY as i32).min(end - y);
+            let rows = ROWS.min(end - y);
             let mut edge = MediumEdge::of(&long);
             let expected = long.after(rows);
             for row in y..y + rows {

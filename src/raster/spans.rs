@@ -1,4 +1,4 @@
-use super::medium_edge::{self, MediumEdge};
+use super::medium_edge::{self, MediumEdge, FARTHEST};
 use super::short_edge::{ShortEdge, TALLEST, WIDEST};
 use super::{Edge, LongEdge, Point, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
@@ -153,12 +153,6 @@ impl Spans {
             }
         } else {
             descent().walk(self);
-            self.is_medium = low.y.wrapping_sub(high.y) <= medium_edge::TALLEST
-                && least >= -medium_edge::FARTHEST
-                && most <= medium_edge::FARTHEST;
-            if self.is_medium {
-                (self.left, self.right) = (self.left.scaled(), self.right.scaled());
-            }
             self.columns = reaches_beyond.then_some((area.left, area.right));
             self.next_spans(batch);
         }
@@ -200,7 +194,12 @@ impl Descent {
         } else {
             LongEdge::new(middle, low, start)
         };
-        (walk.left, walk.right) = if turns_right { (long, short) } else { (short, long) };
+        let (left, right) = if turns_right { (long, short) } else { (short, long) };
+        let xs = [high.x, middle.x, low.x];
+        walk.is_medium = low.y.wrapping_sub(high.y) <= medium_edge::TALLEST
+            && xs.iter().all(|x| (-FARTHEST..=FARTHEST).contains(x));
+        (walk.left, walk.right) =
+            if walk.is_medium { (left.scaled(), right.scaled()) } else { (left, right) };
         (walk.y, walk.end) = (start, end);
         walk.turn = if start < turn { turn } else { end };
         (walk.middle, walk.low, walk.turns_right) = (middle, low, turns_right);

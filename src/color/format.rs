@@ -44,8 +44,8 @@ pub trait Format {
     /// Sets all of `pixels` to `raw`.
     ///
     /// # Cost
-    /// As written here, one store a pixel; the built-in formats store eight words at a time:
-    /// half an instruction a 16-bit pixel on Cortex-M4.
+    /// As written here, one store a pixel; the built-in formats store whole words, those of 16 bits
+    /// eight at once: some 30 instructions a row on Cortex-M4 and one for 16 pixels.
     #[inline(always)]
     fn fill(pixels: &mut [Self::Raw], raw: Self::Raw) {
         for pixel in pixels {

@@ -22,7 +22,7 @@ mod rgb565;
 mod rgb565_be;
 mod rgba8888;
 
-pub(crate) use fill::fill_words;
+pub(crate) use fill::{fill_halves, fill_words};
 pub use format::Format;
 pub(crate) use lanes::{Channel, HAS_VECTORS, LANES};
 pub use lanes::{ChannelLanes, ColorLanes};

@@ -1,6 +1,6 @@
 use super::fade::fade_pairs;
 use super::packed::HALF;
-use super::{fill_words, ChannelLanes, Color, Format, Rgb16, EIGHTS, LANES};
+use super::{fill_halves, ChannelLanes, Color, Format, Rgb16, EIGHTS, LANES};
 
 /// What leads from 8.8 to 5.11 (of red and blue) and 6.10 (of green) where full is 31 and 63, in
 /// 256ths.
@@ -104,7 +104,8 @@ impl Format for Rgb565 {
 
     #[inline(always)]
     fn fill(pixels: &mut [u16], raw: u16) {
-        fill_words(pixels, raw, u32::from(raw) * 0x0001_0001);
+        let word = u32::from(raw) * 0x0001_0001;
+        fill_halves(pixels, word, word);
     }
 
     #[inline(always)]

@@ -1,5 +1,5 @@
 use super::fade::fade_pairs;
-use super::{fill_words, Color, Format, Rgb565};
+use super::{fill_halves, Color, Format, Rgb565};
 
 /// Sixteen bits a pixel in the byte order of SPI panels: red's byte comes first in memory.
 ///
@@ -23,7 +23,8 @@ impl Format for Rgb565Be {
 
     #[inline(always)]
     fn fill(pixels: &mut [u16], raw: u16) {
-        fill_words(pixels, raw, u32::from(raw) * 0x0001_0001);
+        let word = u32::from(raw) * 0x0001_0001;
+        fill_halves(pixels, word, word);
     }
 
     #[inline(always)]

@@ -26,7 +26,7 @@ impl Format for Rgba8888 {
 
     #[inline(always)]
     fn fill(pixels: &mut [u32], raw: u32) {
-        fill_words(pixels, raw, raw);
+        fill_words(pixels, raw);
     }
 
     #[inline(always)]

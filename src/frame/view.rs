@@ -1,6 +1,6 @@
 use super::depth::{DepthAccess, Supplies};
 use super::{DepthBuffer, FrameError, NoDepth, Rect, Size};
-use crate::color::{fill_words, Color, Format};
+use crate::color::{fill_halves, Color, Format};
 
 /// The longest side of a picture, in pixels: the square in which edge functions are exact.
 pub const MAX_SIDE: u16 = 8192;
@@ -398,7 +398,8 @@ impl<F: Format> Frame<'_, F, DepthBuffer<'_>> {
 /// Sets the codes in an area of held rows.
 pub(super) fn clear_codes(depth: &mut DepthBuffer<'_>, area: Rect, code: u16) {
     clear_cells(depth.codes, depth.stride, area, |cells| {
-        fill_words(cells, code, u32::from(code) * 0x0001_0001);
+        let word = u32::from(code) * 0x0001_0001;
+        fill_halves(cells, word, word);
     });
 }
 

@@ -1,4 +1,4 @@
-use super::{Angle, Vec3, Vec4};
+use super::{Angle, Vec3, Vec4, BY_HALVES};
 use core::ops::Mul;
 
 /// A matrix of 4 x 4 floats, for column vectors: `m * v` transforms `v`, and `a * b` is the
@@ -336,5 +336,92 @@ fn transform(m: &Mat4, v: &Vec4) -> Vec4 {
 /// A row of a matrix times a vector. One copy, for flash.
 #[inline(never)]
 pub(crate) fn sum_of_products(a: f32, b: f32, c: f32, d: f32, v: &Vec4) -> f32 {
-    a * v.x + b * v.y + c * v.z + d * v.w
+    if !BY_HALVES {
+        return a * v.x + b * v.y + c * v.z + d * v.w;
+    }
+    let [a, b, c, d] = [a, b, c, d].map(f32::to_bits);
+    let [x, y, z, w] = v.to_array().map(f32::to_bits);
+    let sum = plus(plus(plus(times(a, x), times(b, y)), times(c, z)), times(d, w));
+    f32::from_bits(sum)
+}
+
+/// The sign of a float.
+const SIGN: u32 = 1 << 31;
+
+/// The product of floats by their bits, where floats are software: most elements of matrices are 0 or
+/// 1. Of bits, since the compiler makes comparisons of floats of those that begin with floats.
+///
+/// # Cost
+/// 20 instructions of Cortex-M0+ where a factor is 0 or 1, and 12 more than the product itself where
+/// none is.
+#[inline(never)]
+fn times(a: u32, b: u32) -> u32 {
+    known_product(a, b).unwrap_or_else(|| (f32::from_bits(a) * f32::from_bits(b)).to_bits())
+}
+
+/// The bits of a product by 0 of what is finite, or by 1 of anything: those that it would be rounded
+/// to, if it is a number.
+#[inline(always)]
+const fn known_product(a: u32, b: u32) -> Option<u32> {
+    const ONE: u32 = 1_f32.to_bits() << 1;
+    const INFINITE: u32 = f32::INFINITY.to_bits() << 1;
+    let (size_a, size_b) = (a << 1, b << 1);
+    if (size_a == 0 && size_b < INFINITE) || (size_b == 0 && size_a < INFINITE) {
+        Some((a ^ b) & SIGN)
+    } else if size_a == ONE {
+        Some(b ^ (a & SIGN))
+    } else if size_b == ONE {
+        Some(a ^ (b & SIGN))
+    } else {
+        None
+    }
+}
+
+/// The sum, likewise.
+#[inline(never)]
+fn plus(a: u32, b: u32) -> u32 {
+    known_sum(a, b).unwrap_or_else(|| (f32::from_bits(a) + f32::from_bits(b)).to_bits())
+}
+
+/// The bits of a sum with 0, if it is a number.
+#[inline(always)]
+const fn known_sum(a: u32, b: u32) -> Option<u32> {
+    if a << 1 == 0 {
+        // Of two zeros only both negative ones make a negative one.
+        Some(if b << 1 == 0 { a & b } else { b })
+    } else if b << 1 == 0 {
+        Some(a)
+    } else {
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::hard_numbers::Random;
+
+    #[test]
+    fn known_products_and_sums_are_those_of_floats() {
+        let mut random = Random::new(10);
+        let ends = [0.0, 1.0, f32::MIN_POSITIVE, 1e-45, f32::MAX, f32::INFINITY, 2.0, 0.5];
+        let near = [1.0 + f32::EPSILON, 1.0 - f32::EPSILON / 2.0, f32::NAN];
+        let any = [(); 500].map(|()| f32::from_bits(random.word()));
+        let one_side = ends.into_iter().chain(near).chain(any);
+        let numbers = || one_side.clone().flat_map(|x| [x, -x]);
+        let (mut products, mut sums) = (0, 0);
+        let same = |bits: u32, x: f32| {
+            bits == x.to_bits() || (x.is_nan() && f32::from_bits(bits).is_nan())
+        };
+        for a in numbers() {
+            for b in numbers() {
+                let bits = (a.to_bits(), b.to_bits());
+                products += u32::from(known_product(bits.0, bits.1).is_some());
+                sums += u32::from(known_sum(bits.0, bits.1).is_some());
+                assert!(same(times(bits.0, bits.1), a * b), "{a} * {b}");
+                assert!(same(plus(bits.0, bits.1), a + b), "{a} + {b}");
+            }
+        }
+        assert!(products > 4 * 1000 && sums > 2 * 1000, "{products} products, {sums} sums");
+    }
 }

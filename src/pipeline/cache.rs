@@ -1,5 +1,5 @@
 use super::projected::{flag, Projected};
-use crate::color::fill_words;
+use crate::color::fill_halves;
 
 /// Every word of an empty slot: as an index what no mesh has, since its vertices would fill 24 GB, as
 /// flags a vertex that is not there and not shaded.
@@ -75,7 +75,7 @@ impl<C: Copy, const N: usize> VertexCache<C, N> {
     pub(super) fn start(&mut self) -> CacheView<'_, C> {
         // As 16-bit words, for which the function is there already where depth or RGB565 is cleared.
         let words = bytemuck::cast_slice_mut::<Entry, u16>(&mut self.entries);
-        fill_words(words, (NONE & 0xFFFF) as u16, NONE);
+        fill_halves(words, NONE, NONE);
         CacheView { entries: &mut self.entries, corners: &mut self.corners }
     }
 }

@@ -13,8 +13,8 @@ use crate::math::{mul_high_31, reciprocal, Reciprocal, BY_HALVES};
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct LongEdge {
     /// Columns with 36 fraction bits, with [`ROUND_UP`] in it.
-    x: i64,
-    step: i64,
+    pub(super) x: i64,
+    pub(super) step: i64,
 }
 
 /// Fraction bits of a column.
@@ -115,6 +115,11 @@ fn slope(dx: i32, divisor: &Divisor) -> i64 {
 }
 
 impl LongEdge {
+    /// Fraction bits of columns.
+    pub(super) const FRACTION: u32 = FRACTION;
+    /// How much less than one is above the crossing's own column, at most.
+    pub(super) const SHORT_BY: i64 = (1 << FRACTION) - ROUND_UP + (LONGEST / 16 + 2);
+
     /// The walk down from `a` to `b` (`b` strictly below), beginning at row `y`, whose centre is
     /// between them.
     #[inline(never)]

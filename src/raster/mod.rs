@@ -17,6 +17,7 @@ mod few;
 mod gradients;
 mod line;
 mod long_edge;
+mod medium_edge;
 mod midpoint;
 mod path;
 mod plane;

@@ -1,3 +1,4 @@
+use super::medium_edge::{self, MediumEdge, FARTHEST};
 use super::short_edge::{ShortEdge, TALLEST, WIDEST};
 use super::{Edge, LongEdge, Point, Span, SpanBatch, SpanWalk, Triangle};
 use crate::frame::Rect;
@@ -23,6 +24,8 @@ pub struct Spans {
     middle: Point,
     low: Point,
     turns_right: bool,
+    /// Whether the edges are those of a triangle of medium size.
+    is_medium: bool,
     /// The columns to draw, where the triangle reaches beyond them.
     columns: Option<(i32, i32)>,
 }
@@ -58,6 +61,39 @@ fn take_rows<E: Edge>(left: &mut E, right: &mut E, mut y: i32, end: i32, places:
         // Keeps the compiler from unrolling: four copies of this cost more than they save.
         core::hint::black_box(());
     }
+}
+
+/// Takes so many rows from `y` on between two edges, of which there is at least one and no more than
+/// places: those that hold a pixel. How many those are.
+#[inline(always)]
+fn take_all_rows<E: Edge>(
+    left: &mut E,
+    right: &mut E,
+    mut y: i32,
+    places: &mut [Span],
+    rows: usize,
+) -> usize {
+    let mut taken = rows;
+    // As many places as rows are left: only one of both is counted.
+    let mut places = places.get_mut(..rows).unwrap_or(&mut []).iter_mut();
+    while !places.as_slice().is_empty() {
+        let (first, behind) = (left.column(), right.column());
+        left.step();
+        right.step();
+        if first < behind {
+            if let Some(place) = places.next() {
+                *place = Span { y, first, left: first, right: behind, behind };
+            }
+        } else {
+            rare();
+            taken = taken.wrapping_sub(1);
+            places.next_back();
+        }
+        y = y.wrapping_add(1);
+        // Keeps the compiler from unrolling.
+        core::hint::black_box(());
+    }
+    taken
 }
 
 /// A triangle's corners from its highest, and the rows between them that are drawn.
@@ -158,7 +194,12 @@ impl Descent {
         } else {
             LongEdge::new(middle, low, start)
         };
-        (walk.left, walk.right) = if turns_right { (long, short) } else { (short, long) };
+        let (left, right) = if turns_right { (long, short) } else { (short, long) };
+        let xs = [high.x, middle.x, low.x];
+        walk.is_medium = low.y.wrapping_sub(high.y) <= medium_edge::TALLEST
+            && xs.iter().all(|x| (-FARTHEST..=FARTHEST).contains(x));
+        (walk.left, walk.right) =
+            if walk.is_medium { (left.scaled(), right.scaled()) } else { (left, right) };
         (walk.y, walk.end) = (start, end);
         walk.turn = if start < turn { turn } else { end };
         (walk.middle, walk.low, walk.turns_right) = (middle, low, turns_right);
@@ -179,21 +220,27 @@ impl Spans {
         loop {
             // Rows down to the turn, or as many as fit. Copies of the edges stay in registers.
             let end = self.turn.min(self.y.wrapping_add(places.len() as i32));
-            let (mut left, mut right) = (self.left, self.right);
-            take_rows(&mut left, &mut right, self.y, end, &mut places);
-            (self.left, self.right, self.y) = (left, right, end);
+            let rows = end.wrapping_sub(self.y) as usize;
+            let taken = if self.is_medium {
+                let (mut left, mut right) =
+                    (MediumEdge::of(&self.left), MediumEdge::of(&self.right));
+                let taken = take_all_rows(&mut left, &mut right, self.y, places, rows);
+                left.leave(&mut self.left, rows as u32);
+                right.leave(&mut self.right, rows as u32);
+                taken
+            } else {
+                let (mut left, mut right) = (self.left, self.right);
+                let taken = take_all_rows(&mut left, &mut right, self.y, places, rows);
+                (self.left, self.right) = (left, right);
+                taken
+            };
+            places = places.get_mut(taken..).unwrap_or(&mut []);
+            self.y = end;
             if end >= self.turn {
                 if end >= self.end {
                     break;
                 }
-                // Over to the short side's second edge.
-                self.turn = self.end;
-                let second = LongEdge::new(self.middle, self.low, end);
-                if self.turns_right {
-                    self.right = second;
-                } else {
-                    self.left = second;
-                }
+                self.turn_over();
             }
             if places.is_empty() {
                 batch.last = false;
@@ -201,6 +248,23 @@ impl Spans {
             }
         }
         batch.length = SpanBatch::CAPACITY.wrapping_sub(places.len());
+    }
+}
+
+impl Spans {
+    /// Over to the short side's second edge. Apart, so that the walk's registers are the rows'.
+    #[inline(never)]
+    fn turn_over(&mut self) {
+        self.turn = self.end;
+        let mut second = LongEdge::new(self.middle, self.low, self.y);
+        if self.is_medium {
+            second = second.scaled();
+        }
+        if self.turns_right {
+            self.right = second;
+        } else {
+            self.left = second;
+        }
     }
 }
 

@@ -49,6 +49,26 @@ impl Mat4 {
         Self::IDENTITY
     }
 
+    /// Whether this is [`IDENTITY`](Self::IDENTITY) to the bit.
+    pub(crate) fn is_identity(&self) -> bool {
+        let ones = [self, &Self::IDENTITY].map(|matrix| matrix.to_columns());
+        let [mine, ones] = ones.each_ref().map(|columns| columns.as_flattened());
+        mine.iter().zip(ones).all(|(a, b)| a.to_bits() == b.to_bits())
+    }
+
+    /// `self * first`, but for the sign of a zero where one of them is the identity: many draws turn
+    /// nothing, and where floats are software a product costs more than a small mesh.
+    #[inline(never)]
+    pub(crate) fn after(&self, first: &Self) -> Self {
+        if first.is_identity() {
+            *self
+        } else if self.is_identity() {
+            *first
+        } else {
+            *self * *first
+        }
+    }
+
     /// From four columns.
     #[must_use]
     pub const fn from_columns(x: Vec4, y: Vec4, z: Vec4, w: Vec4) -> Self {

@@ -32,6 +32,25 @@ fn product_applies_the_right_factor_first() {
 }
 
 #[test]
+fn what_turns_nothing_is_not_multiplied() {
+    let mut random = Random::new(13);
+    for round in 0..1000 {
+        let (mut a, mut b) = (random_matrix(&mut random), random_matrix(&mut random));
+        if round % 2 == 0 {
+            a = Mat4::IDENTITY;
+        }
+        if round % 3 == 0 {
+            b = Mat4::IDENTITY;
+        }
+        // Zeros of both signs among the numbers.
+        if round % 5 == 0 {
+            (a.x.y, b.w.z) = (-0.0, -0.0);
+        }
+        assert_eq!(a.after(&b), a * b, "{a:?} after {b:?}");
+    }
+}
+
+#[test]
 fn inverse_undoes() {
     let mut random = Random::new(11);
     for _ in 0..10_000 {

@@ -393,7 +393,8 @@ fn prepare(
     let size = Size::new(side(left, right)?, side(top, bottom)?);
     let depth = match transform {
         Some(transform) => {
-            let matrix = camera.projection(aspect(size)) * (camera.view() * *model);
+            let to_eye = camera.view().after(model);
+            let matrix = camera.projection(aspect(size)).after(&to_eye);
             transform.set(&matrix, place, near)?
         }
         None => Depth::of_row(near.is_none()),

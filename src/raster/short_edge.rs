@@ -82,7 +82,7 @@ impl ShortEdge {
         // No more than dx in all, since `down` is no more than dy.
         let along = step.wrapping_mul(down) >> 4;
         let from = a.x.wrapping_sub(8).wrapping_mul(1 << (FRACTION - 4));
-        Self { x: from.wrapping_add(along).wrapping_add(ROUND_UP), step }
+        Self { x: from.wrapping_add(ROUND_UP).wrapping_add(along), step }
     }
 }
 

@@ -119,6 +119,8 @@ pub(super) struct Assembly<T: Topology> {
     pub(super) mapping: Mapping,
     /// What is drawn of the picture.
     pub(super) area: Rect,
+    /// Whether that is all of the viewport: then triangles in the view do not reach beyond it.
+    pub(super) is_whole: bool,
     pub(super) culled: CulledWindings,
     /// The pieces of a clipped triangle.
     pub(super) fan: Fan,
@@ -216,12 +218,16 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
         counter: &mut C,
         face: &mut Face,
     ) -> bool {
-        if face.clipped {
-            if self.fan.next(&mut face.triangle) {
-                return true;
+        // After what was cut too: one question for both.
+        if !face.triangle.is_inside {
+            if face.clipped {
+                if self.fan.next(&mut face.triangle) {
+                    return true;
+                }
+                counter.event(if face.covered { Event::Drawn } else { Event::Outside });
+                face.clipped = false;
             }
-            counter.event(if face.covered { Event::Drawn } else { Event::Outside });
-            face.clipped = false;
+            face.triangle.is_inside = self.is_whole;
         }
         let mut cursor = self.cursor;
         let found = loop {
@@ -256,6 +262,7 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
                 continue;
             }
             if self.cut(positions, a, b, c, counter, face) {
+                face.triangle.is_inside = false;
                 break true;
             }
         };

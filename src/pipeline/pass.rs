@@ -347,6 +347,7 @@ where
             cursor: T::Cursor::default(),
             mapping: ready.mapping,
             area: ready.area,
+            is_whole: ready.mapping.has_viewport(&ready.area),
             culled: ready.culled,
             fan: Fan::default(),
         };

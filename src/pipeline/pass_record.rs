@@ -209,7 +209,10 @@ impl<S: State> Pass<'_, S> {
             return Recording { list, shader, prepared: None, area: Rect::default() };
         };
         let (cursor, fan) = (T::Cursor::default(), Fan::default());
-        let assembly = Assembly { topology: mesh.topology, cursor, mapping, area, culled, fan };
+        let topology = mesh.topology;
+        // Of bands, most triangles reach beyond.
+        let is_whole = false;
+        let assembly = Assembly { topology, cursor, mapping, area, is_whole, culled, fan };
         let draw = Draw { vertices, shader, prepared: &prepared };
         let counter = self.state.counter();
         if H::OWN_POSITIONS {

@@ -93,19 +93,22 @@ impl Spans {
         };
         let (upper, lower) = (right.y.min(left.y), right.y.max(left.y));
         // Rows from the first centre at or below the top to the last above the bottom.
-        let start = first_center(high.y).max(area.top);
-        let end = first_center(lower).min(area.bottom);
+        let (mut start, mut end) = (first_center(high.y), first_center(lower));
+        let mut reaches_beyond = false;
+        if !triangle.is_inside {
+            (start, end) = (start.max(area.top), end.min(area.bottom));
+            let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
+            // Below zero where the triangle reaches beyond a side.
+            let left_over = first_center(least).wrapping_sub(area.left);
+            let right_over = area.right.wrapping_sub(first_center(most));
+            reaches_beyond = left_over | right_over < 0;
+        }
         if start >= end {
             batch.length = 0;
             return;
         }
         // At or above the first row where that is below the middle corner.
         let turn = first_center(upper).min(end);
-        let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
-        // Below zero where the triangle reaches beyond a side.
-        let left_over = first_center(least).wrapping_sub(area.left);
-        let right_over = area.right.wrapping_sub(first_center(most));
-        let reaches_beyond = left_over | right_over < 0;
         // Made where it is used, so that a short triangle's never goes through memory.
         let descent = || Descent { high, right, left, start, turn, end };
         if lower.wrapping_sub(high.y) <= TALLEST && descent().is_narrow() {

@@ -174,12 +174,19 @@ pub struct Triangle {
     pub(crate) area: i64,
     /// Whether the second and the third corner changed places to make it clockwise.
     pub(crate) flipped: bool,
+    /// Whether it is known to have no centre beyond what is drawn of the picture.
+    pub(crate) is_inside: bool,
 }
 
 impl Triangle {
     /// A triangle without area: a place to put another.
-    pub(crate) const EMPTY: Self =
-        Self { v: [ScreenVertex::from_bits(0, 0, 0); 3], area: 0, flipped: false };
+    pub(crate) const EMPTY: Self = Self::of([ScreenVertex::from_bits(0, 0, 0); 3], 0, false);
+
+    /// A triangle of which is known where its corners are, and no more.
+    #[inline(always)]
+    pub(crate) const fn of(v: [ScreenVertex; 3], area: i64, flipped: bool) -> Self {
+        Self { v, area, flipped, is_inside: false }
+    }
 
     /// Makes a triangle of three corners in any order, of which twice the area is given. One copy
     /// for all that is rare.
@@ -216,8 +223,8 @@ impl Triangle {
         let [a, b, c] = v;
         match area {
             0 => None,
-            1.. => Some(Self { v, area, flipped: false }),
-            _ => Some(Self { v: [a, c, b], area: area.wrapping_neg(), flipped: true }),
+            1.. => Some(Self::of(v, area, false)),
+            _ => Some(Self::of([a, c, b], area.wrapping_neg(), true)),
         }
     }
 

@@ -1,11 +1,10 @@
 use super::cache::{holds, kept, slot, Entry};
 use super::clipper::{signed_area, Fan};
 use super::mapping::Mapping;
-use super::projected::{flag, Projected};
+use super::projected::{flag, Projected, HALVES_MULTIPLY};
 use super::transform::Transform;
 use super::{Clip, CulledWindings};
 use crate::frame::Rect;
-use crate::math::BY_HALVES;
 use crate::raster::{area_of_sides, ScreenVertex, Triangle};
 use crate::scene::Topology;
 use crate::shade::{Counter, Event};
@@ -191,9 +190,6 @@ pub(super) fn area_by_sides([a, b, c]: &[Projected; 3]) -> i32 {
     let other = side(c.x(), a.x()).wrapping_mul(side(b.y(), a.y()));
     one.wrapping_sub(other)
 }
-
-/// Whether halves of words, as coordinates are, are factors of one instruction.
-const HALVES_MULTIPLY: bool = cfg!(target_arch = "arm") && !BY_HALVES;
 
 /// The sign of an area.
 #[inline(always)]

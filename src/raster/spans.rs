@@ -67,7 +67,7 @@ struct Descent {
     right: Point,
     left: Point,
     start: i32,
-    /// Where the shorter side changes over to its second edge.
+    /// Where the shorter side changes over to its second edge: from the start to the end.
     turn: i32,
     end: i32,
 }
@@ -93,10 +93,13 @@ impl Spans {
         };
         let (upper, lower) = (right.y.min(left.y), right.y.max(left.y));
         // Rows from the first centre at or below the top to the last above the bottom.
+        // The turn is at the first of them below the middle corner, or at the end.
         let (mut start, mut end) = (first_center(high.y), first_center(lower));
+        let mut turn = first_center(upper);
         let mut reaches_beyond = false;
         if !triangle.is_inside {
             (start, end) = (start.max(area.top), end.min(area.bottom));
+            turn = turn.min(end).max(start);
             let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
             // Below zero where the triangle reaches beyond a side.
             let left_over = first_center(least).wrapping_sub(area.left);
@@ -107,8 +110,6 @@ impl Spans {
             batch.length = 0;
             return;
         }
-        // At or above the first row where that is below the middle corner.
-        let turn = first_center(upper).min(end);
         // Made where it is used, so that a short triangle's never goes through memory.
         let descent = || Descent { high, right, left, start, turn, end };
         if lower.wrapping_sub(high.y) <= TALLEST && descent().is_narrow() {
@@ -146,7 +147,7 @@ impl Descent {
                 break;
             }
             // Over to the second edge of the side that has two.
-            y = y.max(stop);
+            y = stop;
             if right.y < left.y {
                 right_edge = ShortEdge::new(right, left, y);
             } else {

@@ -1,7 +1,7 @@
 use super::few::{few_of, Sides};
 use super::{Few, Limits, Nothing, Point, ScreenVertex, GUARD, SUBPIXELS};
 use crate::frame::Size;
-use crate::math::BY_HALVES;
+use crate::math::{rare, BY_HALVES};
 
 /// Twice the area of a triangle in square subpixels; positive when its corners run clockwise on
 /// the screen.
@@ -117,11 +117,13 @@ impl Fitted {
                 (false, few_of::<false>(p, sides, area, &self.limits))
             };
             if few != Few::UNKNOWN {
-                return match self.culls(turned) {
-                    true if area == 0 => Few::none(Nothing::Degenerate),
-                    true => Few::none(Nothing::Culled),
-                    false => few,
-                };
+                if !self.culls(turned) {
+                    return few;
+                }
+                // Whether there is an area is asked here alone.
+                rare();
+                let has_none = core::hint::black_box(area) == 0;
+                return Few::none(if has_none { Nothing::Degenerate } else { Nothing::Culled });
             }
         }
         self.set_any(a, b, c)

@@ -205,7 +205,7 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
     /// The next triangle that may be seen; whether there is one.
     ///
     /// # Cost
-    /// About 65 instructions on Cortex-M4 for a triangle whose vertices are known and that is culled.
+    /// About 60 instructions on Cortex-M4 for a triangle whose vertices are known and that is culled.
     #[inline(never)]
     pub(super) fn next<P: Positions, C: Counter>(
         &mut self,

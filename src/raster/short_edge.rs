@@ -19,7 +19,7 @@ pub(super) struct ShortEdge {
 const FRACTION: u32 = 17;
 /// Tallest triangle, in subpixels: 14 pixels hold 14 row centres.
 pub(super) const TALLEST: i32 = 14 * 16;
-/// Widest triangle, in subpixels: 128 pixels.
+/// Widest triangle, in subpixels: 128 pixels. Its sides from the highest corner are half as wide.
 pub(super) const WIDEST: i32 = 1 << 11;
 /// Half of the least distance between crossings.
 const HALF: i32 = (1 << FRACTION) / (16 * TALLEST) / 2;

@@ -8,9 +8,9 @@ use crate::math::rare;
 ///
 /// # Cost
 /// On Cortex-M4 8 instructions a row of a short triangle and 8 more where it holds a pixel, after
-/// some 170 to start; one division an edge, by a table where the core has none. Passes ask before whether a
-/// triangle is one of very few pixels, which do without. Not generic, so that one copy serves every
-/// shader, state and format.
+/// some 130 to start, 15 more where it may reach beyond the area; one division an edge, by a table
+/// where the core has none. Passes ask before whether a triangle is one of very few pixels, which
+/// do without. Not generic, so that one copy serves every shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans {
     left: LongEdge,

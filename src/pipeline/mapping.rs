@@ -1,7 +1,7 @@
 use super::projected::{flag, Projected, HALVES_MULTIPLY, RAISED};
 use super::transform::Depth;
 use super::Clip;
-use crate::frame::{Rect, Size};
+use crate::frame::Size;
 use crate::math::{
     half_factor, inlined_reciprocal_of_some, mul_high_30, mul_high_both_31, mul_high_positive,
     mul_high_signed, reciprocal_of_some, Reciprocal,
@@ -134,15 +134,6 @@ impl Mapping {
             easy_w_by_z: only_if(depth.is_row()),
             flags: if is_large { flag::LARGE } else { 0 },
         }
-    }
-
-    /// Whether this is the viewport.
-    pub(super) fn has_viewport(&self, area: &Rect) -> bool {
-        let Rect { left, top, right, bottom } = *area;
-        let centers = |from: i32, to: i32| from.wrapping_add(to).wrapping_mul(8);
-        let sides = (right.wrapping_sub(left), bottom.wrapping_sub(top));
-        sides == (self.size.width.into(), self.size.height.into())
-            && (centers(left, right), centers(top, bottom)) == (self.center_x, self.center_y)
     }
 
     /// The viewport's size in pixels.

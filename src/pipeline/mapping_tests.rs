@@ -3,7 +3,7 @@
 #![allow(clippy::cast_possible_truncation, reason = "numbers are cut to what is wanted")]
 
 use super::Mapping;
-use crate::frame::{Rect, Size, MAX_SIDE};
+use crate::frame::{Size, MAX_SIDE};
 use crate::math::hard_numbers::Random;
 use crate::pipeline::assembly::{area_by_coordinates, area_by_sides, area_of};
 use crate::pipeline::projected::{flag, Projected, RAISED};
@@ -87,19 +87,6 @@ fn raised_coordinates_are_those_of_words() {
         let vertex = Projected::new(x.into(), y.into(), 0, 0);
         let (raised_x, raised_y) = vertex.raised();
         assert_eq!((raised_x - RAISED, raised_y - RAISED), (x.into(), y.into()));
-    }
-}
-
-#[test]
-fn a_viewport_knows_itself() {
-    let of = |left, top, size| Mapping::new(left, top, size, Depth::of_row(true));
-    let area = Rect::new(-3, 7, 30, 49);
-    let mapping = of(area.left, area.top, Size::new(33, 42));
-    assert!(mapping.has_viewport(&area), "its own");
-    for side in 0..4 {
-        let mut other = area;
-        *[&mut other.left, &mut other.top, &mut other.right, &mut other.bottom][side] += 1;
-        assert!(!mapping.has_viewport(&other), "{other:?}");
     }
 }
 

@@ -201,7 +201,7 @@ impl<S: State> Pass<'_, S> {
         let (vertices, whole) = (mesh.vertices(), Rect::from_size(picture));
         let mut transform = Transform::NONE;
         let ready = self.set_up(picture, whole, model, vertices, shader, &mut transform);
-        let Some(SetUp { mapping, area, culled, prepared }) = ready else {
+        let Some(SetUp { mapping, area, culled, prepared, .. }) = ready else {
             for _ in 0..mesh.triangles() {
                 self.state.counter().event(Event::Triangle);
                 self.state.counter().event(Event::Skipped);

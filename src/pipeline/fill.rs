@@ -372,7 +372,7 @@ where
     let z_plane = if <Access<S>>::HAS_DEPTH {
         let depth = state.parts().0;
         match corners.level() {
-            Some(code) if !depth.maps() && !S::Depth::OFFSETS => {
+            Some(code) if !depth.maps() && depth.offset(0, 0) == 0 => {
                 Plane { origin: u32::from(code) << 16 | 0x8000, dx: 0, dy: 0 }
             }
             _ => corners.depth_plane::<V>(depth),

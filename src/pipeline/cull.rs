@@ -42,6 +42,11 @@ impl CulledWindings {
         }
     }
 
+    /// Whether those are left out whose corners run clockwise, and counter-clockwise.
+    pub(super) const fn by_winding(self) -> [bool; 2] {
+        [self.clockwise, self.counter_clockwise]
+    }
+
     /// Whether a triangle with an area of this sign is left out; positive areas run clockwise on
     /// the screen.
     #[inline(always)]

@@ -313,7 +313,7 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         let [(ax, ay), (bx, by), (cx, cy)] = v.map(|vertex| (vertex.x_bits(), vertex.y_bits()));
         let area = area_of_sides(side(bx, ax), side(by, ay), side(cx, ax), side(cy, ay));
         let recorded = Recorded {
-            triangle: Triangle { v, area, flipped: false },
+            triangle: Triangle::of(v, area, false),
             corners: [a.corner, b.corner, c.corner],
             provoking: self.vertex(first)?.corner,
         };

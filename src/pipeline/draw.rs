@@ -1,6 +1,6 @@
 use super::assembly::{Assembly, Face, Positions};
 use super::cache::{is_shaded, note_shaded, CacheView};
-use super::fill::{find, largest_of_few, Access, Fill, Walk};
+use super::fill::{find, limits_of_few, Access, Fill, Walk};
 use super::mapping::Mapping;
 use super::projected::{flag, Projected};
 use super::Clip;
@@ -69,22 +69,22 @@ impl<H: Shader> Draw<'_, H> {
         let mut walk = Walk::<S>::default();
         let mut batch = SpanBatch::default();
         let mut target = frame.target::<Access<S>>();
-        let largest = largest_of_few::<H::Varying, F, D, Access<S>>(&target);
+        let limits = limits_of_few::<H::Varying, S, F, D>(state, &target, &assembly.area);
         while assembly.next(positions, cache.entries, state.counter(), &mut face) {
-            let few = find::<H::Varying, S>(
+            let found = find::<H::Varying, S>(
                 state,
                 &face.triangle,
                 &assembly.area,
-                largest,
+                &limits,
                 &mut walk,
                 &mut batch,
             );
-            if few.is_empty() {
+            let Some(few) = found else {
                 if !face.clipped {
                     state.counter().event(Event::Outside);
                 }
                 continue;
-            }
+            };
             // Only now, with a pixel to draw, are its vertices shaded.
             let Some(mut corners) = self.corners(&face, positions, &mut cache) else {
                 state.counter().event(Event::Skipped);

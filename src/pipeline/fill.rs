@@ -2,7 +2,7 @@ use crate::color::Format;
 use crate::frame::{DepthAccess, Rect, Supplies, Target, Window};
 use crate::math::BY_HALVES;
 use crate::raster::{
-    Few, Gradients, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
+    Few, Gradients, Limits, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
 };
 use crate::shade::{ColorOutput, Corner, DepthTest, Fragments, Row, State, Varying};
 
@@ -12,46 +12,56 @@ pub(crate) type Access<S> = <<S as State>::Depth as DepthTest>::Access;
 /// A triangle being walked under a state.
 pub(super) type Walk<S> = <<S as State>::Traversal as Traversal>::Walk;
 
-/// The largest triangles to be asked whether they cover [few](Few) pixels: none where rows are drawn
-/// one at a time.
+/// Which triangles are to be asked whether they cover [few](Few) pixels: none where rows are drawn one
+/// at a time.
 #[inline(always)]
-pub(super) fn largest_of_few<V: Varying, F: Format, D, A: DepthAccess>(
-    target: &Target<'_, '_, F, D, A>,
-) -> u32 {
-    match target {
-        Target::Rows(_) if !V::INTERPOLATED => 0,
-        _ => Few::LARGEST,
-    }
+pub(super) fn limits_of_few<V: Varying, S: State, F: Format, D>(
+    state: &S,
+    target: &Target<'_, '_, F, D, Access<S>>,
+    area: &Rect,
+) -> Limits {
+    let asks = V::INTERPOLATED || matches!(target, Target::Whole(_));
+    Limits::new(area, asks && state.traversal().leaves_few())
 }
 
 /// Looks for a triangle's first pixels: what it covers, where it is one of few pixels and nothing is
-/// interpolated, and its first spans otherwise. [Empty](Few::is_empty) if there are none.
+/// interpolated, and its first spans otherwise. `None` if there are none.
 #[inline(always)]
 pub(super) fn find<V: Varying, S: State>(
     state: &S,
     triangle: &Triangle,
     area: &Rect,
-    largest: u32,
+    limits: &Limits,
     walk: &mut Walk<S>,
     batch: &mut SpanBatch,
-) -> Few {
-    let traversal = state.traversal();
+) -> Option<Few> {
     // Interpolated, they cost as much again for their planes: where the walk is cheap, the question
     // is not worth it.
     let asks = !V::INTERPOLATED || BY_HALVES;
-    let few = if asks { traversal.few(triangle, area, largest) } else { Few::UNKNOWN };
-    if !few.is_known() {
-        traversal.start(walk, triangle, area, batch);
+    let few = if asks { Few::of(triangle, limits) } else { Few::UNKNOWN };
+    if few == Few::UNKNOWN {
+        find_spans(state, triangle, area, walk, batch).then_some(few)
+    } else if few.covered() == 0 {
+        None
     } else if V::INTERPOLATED {
         few.take(batch);
+        Some(Few::UNKNOWN)
     } else {
-        return few;
+        Some(few)
     }
-    if batch.is_empty() {
-        Few::NONE
-    } else {
-        Few::UNKNOWN
-    }
+}
+
+/// Looks for a triangle's first spans; whether there are any.
+#[inline(always)]
+pub(super) fn find_spans<S: State>(
+    state: &S,
+    triangle: &Triangle,
+    area: &Rect,
+    walk: &mut Walk<S>,
+    batch: &mut SpanBatch,
+) -> bool {
+    state.traversal().start(walk, triangle, area, batch);
+    !batch.is_empty()
 }
 
 /// A triangle ready for its pixels: where it is, and its attributes in the same order.
@@ -108,34 +118,50 @@ fn move_away(plane: &mut Plane, triangle: &Triangle, by: i64) {
     plane.origin = plane.origin.wrapping_sub(by as u32);
 }
 
+/// The planes of what is interpolated.
+#[inline(always)]
+fn planes<V, H, S, F>(
+    gradients: &Gradients,
+    corners: &[Corner<V>; 3],
+    provoking: &Corner<V>,
+    in_pieces: bool,
+    state: &mut S,
+) -> V::Planes
+where
+    V: Varying,
+    H: Fragments<Varying = V>,
+    S: State,
+    F: Format,
+{
+    if H::COLOR_AS_IS && state.parts().1.dims() {
+        V::planes(gradients, &corners.each_ref().map(V::dim::<F>), provoking, in_pieces)
+    } else {
+        V::planes(gradients, corners, provoking, in_pieces)
+    }
+}
+
 impl<V: Varying> Fill<'_, V> {
-    /// The plane of the depth codes under a test.
+    /// The plane of a triangle's depth codes under a test.
     #[inline(always)]
-    fn depth_plane<const MOVES: bool, const FEW: bool>(
-        &self,
+    fn depth_plane<const MOVES: bool>(
+        triangle: &Triangle,
         gradients: &Gradients,
         depth: &impl DepthTest,
     ) -> Plane {
-        let plane = |triangle: &Triangle| {
-            if depth.is_constant() {
-                mean_depth_plane(triangle)
-            } else if V::INTERPOLATED {
-                depth_plane(gradients, triangle)
-            } else if FEW {
-                // In place: it is a large part of what these cost.
-                level_depth_plane(triangle).unwrap_or_else(|| lone_depth_plane(triangle))
-            } else {
-                lone_depth_plane(triangle)
-            }
-        };
         let mapped: Triangle;
-        let mut triangle = self.triangle;
+        let mut triangle = triangle;
         if depth.maps() {
             let v = triangle.v.map(|v| ScreenVertex { z: depth.map(v.z), ..v });
             mapped = Triangle { v, ..*triangle };
             triangle = &mapped;
         }
-        let mut plane = plane(triangle);
+        let mut plane = if depth.is_constant() {
+            mean_depth_plane(triangle)
+        } else if V::INTERPOLATED {
+            depth_plane(gradients, triangle)
+        } else {
+            lone_depth_plane(triangle)
+        };
         if MOVES {
             Self::offset(&mut plane, triangle, depth);
         }
@@ -148,22 +174,6 @@ impl<V: Varying> Fill<'_, V> {
         let offset = depth.offset(plane.dx.cast_signed(), plane.dy.cast_signed());
         if offset != 0 {
             move_away(plane, triangle, offset);
-        }
-    }
-
-    /// The planes of what is interpolated.
-    #[inline(always)]
-    fn planes<H, S, F>(&self, gradients: &Gradients, in_pieces: bool, state: &mut S) -> V::Planes
-    where
-        H: Fragments<Varying = V>,
-        S: State,
-        F: Format,
-    {
-        if H::COLOR_AS_IS && state.parts().1.dims() {
-            let dimmed = self.corners.each_ref().map(V::dim::<F>);
-            V::planes(gradients, &dimmed, self.provoking, in_pieces)
-        } else {
-            V::planes(gradients, self.corners, self.provoking, in_pieces)
         }
     }
 
@@ -185,87 +195,11 @@ impl<V: Varying> Fill<'_, V> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        if !V::INTERPOLATED && few.is_known() {
-            // A copy: the corners beside it are not made then.
-            let fill = Fill { provoking: &{ *self.provoking }, ..*self };
-            fill.draw_few::<H, S, F, D>(few, target, state, shader);
+        if !V::INTERPOLATED && few.covered() != 0 {
+            draw_few::<V, H, S, F, D, _>(self.triangle, self.provoking, few, target, state, shader);
             return;
         }
         self.draw_all::<true, H, S, F, D, W>(target, state, shader, walk, batch);
-    }
-
-    /// Draws very few pixels of a triangle in which nothing is interpolated, one by one: no span is
-    /// made and begun. `None` if the frame does not reach so far.
-    ///
-    /// # Cost
-    /// On Cortex-M4 some 90 instructions for two pixels, with depth. 110 to 300 bytes of flash a shader
-    /// and state, more where colours are blended or dithered.
-    #[inline(never)]
-    fn draw_few<H, S, F, D>(
-        &self,
-        mut few: Few,
-        target: &mut Target<'_, '_, F, D, Access<S>>,
-        state: &mut S,
-        shader: &H,
-    ) -> Option<()>
-    where
-        H: Fragments<Varying = V>,
-        S: State,
-        F: Format,
-    {
-        let Target::Whole(window) = target else { return None };
-        let z_plane = if <Access<S>>::HAS_DEPTH {
-            self.depth_plane::<true, true>(&Gradients::NONE, state.parts().0)
-        } else {
-            Plane::default()
-        };
-        let planes = &self.planes::<H, S, F>(&Gradients::NONE, false, state);
-        let (depth, output, counter) = state.parts();
-        let mut window = window.level()?;
-        let (x, mut y) = few.place();
-        // Opaque: the compiler would make the sum of products for each column apart.
-        let (mut at, mut z) = core::hint::black_box((window.number(x, y), z_plane.at(x, y)));
-        loop {
-            let mut pixel = |x: i32, at: usize, z: u32| {
-                let right = x.wrapping_add(1);
-                let span = Span { y, first: x, left: x, right, behind: right };
-                let mut runs = V::runs(planes, &span);
-                let (varying, step, _) = V::run(planes, &mut runs, &span, x);
-                let (pixels, cells) = window.one(at)?;
-                shader.span(Row::<S, F, V> {
-                    x,
-                    y,
-                    pixels,
-                    cells,
-                    z,
-                    z_step: z_plane.dx,
-                    may_be_level: false,
-                    varying,
-                    step,
-                    behind: None,
-                    depth,
-                    output,
-                    counter,
-                });
-                Some(())
-            };
-            let (left, right) = few.row();
-            if left {
-                pixel(x, at, z)?;
-            }
-            if right {
-                pixel(x.wrapping_add(1), at.wrapping_add(1), z.wrapping_add(z_plane.dx))?;
-            }
-            few.next_row();
-            if few.is_empty() {
-                return Some(());
-            }
-            y = y.wrapping_add(1);
-            z = z.wrapping_add(z_plane.dy);
-            at = at.wrapping_add(window.stride());
-            // Not unrolled.
-            core::hint::black_box(());
-        }
     }
 
     /// Draws the triangle's pixels: those of `batch` and all that `walk` still finds.
@@ -342,12 +276,14 @@ impl<V: Varying> Fill<'_, V> {
             let gradients =
                 if V::INTERPOLATED { Gradients::new(self.triangle) } else { Gradients::NONE };
             let z_plane = if <Access<S>>::HAS_DEPTH {
-                self.depth_plane::<MOVES, false>(&gradients, state.parts().0)
+                Self::depth_plane::<MOVES>(self.triangle, &gradients, state.parts().0)
             } else {
                 Plane::default()
             };
             in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
-            ready = Ready { set: (self.planes::<H, S, F>(&gradients, in_pieces, state), z_plane) };
+            let set =
+                planes::<V, H, S, F>(&gradients, self.corners, self.provoking, in_pieces, state);
+            ready = Ready { set: (set, z_plane) };
         }
         match &mut *target {
             Target::Whole(window) if !in_pieces => loop {
@@ -363,6 +299,132 @@ impl<V: Varying> Fill<'_, V> {
             }
             _ => {}
         }
+    }
+}
+
+/// Corners of a triangle of few pixels in which nothing is interpolated.
+pub(super) trait FewCorners {
+    /// The triangle's depth, where it has one.
+    fn level(&self) -> Option<u16>;
+
+    /// The plane of its depth codes under a test.
+    fn depth_plane<V: Varying>(&self, depth: &impl DepthTest) -> Plane;
+}
+
+impl FewCorners for Triangle {
+    #[inline(always)]
+    fn level(&self) -> Option<u16> {
+        let [a, b, c] = &self.v;
+        (a.z == b.z && a.z == c.z).then_some(a.z)
+    }
+
+    #[inline(always)]
+    fn depth_plane<V: Varying>(&self, depth: &impl DepthTest) -> Plane {
+        Fill::<V>::depth_plane::<true>(self, &Gradients::NONE, depth)
+    }
+}
+
+/// Corners on the screen, in any order.
+impl<C> FewCorners for [(ScreenVertex, C); 3] {
+    #[inline(always)]
+    fn level(&self) -> Option<u16> {
+        let [(a, _), (b, _), (c, _)] = self;
+        (a.z == b.z && a.z == c.z).then_some(a.z)
+    }
+
+    #[inline(always)]
+    fn depth_plane<V: Varying>(&self, depth: &impl DepthTest) -> Plane {
+        let [(a, _), (b, _), (c, _)] = self;
+        let triangle = oriented([a, b, c]);
+        Fill::<V>::depth_plane::<true>(&triangle, &Gradients::NONE, depth)
+    }
+}
+
+/// A triangle of corners that have an area.
+#[inline(never)]
+fn oriented([a, b, c]: [&ScreenVertex; 3]) -> Triangle {
+    Triangle::oriented([*a, *b, *c]).unwrap_or(Triangle::EMPTY)
+}
+
+/// Draws very few pixels of a triangle in which nothing is interpolated, one by one: no span is
+/// made and begun. `None` if the frame does not reach so far.
+///
+/// # Cost
+/// On Cortex-M4 some 90 instructions for two pixels, with depth. 110 to 300 bytes of flash a shader
+/// and state, more where colours are blended or dithered.
+#[inline(never)]
+pub(super) fn draw_few<V, H, S, F, D, K>(
+    corners: &K,
+    provoking: &Corner<V>,
+    few: Few,
+    target: &mut Target<'_, '_, F, D, Access<S>>,
+    state: &mut S,
+    shader: &H,
+) -> Option<()>
+where
+    V: Varying,
+    H: Fragments<Varying = V>,
+    K: FewCorners,
+    S: State,
+    F: Format,
+{
+    let Target::Whole(window) = target else { return None };
+    let z_plane = if <Access<S>>::HAS_DEPTH {
+        let depth = state.parts().0;
+        match corners.level() {
+            Some(code) if !depth.maps() && depth.offset(0, 0) == 0 => {
+                Plane { origin: u32::from(code) << 16 | 0x8000, dx: 0, dy: 0 }
+            }
+            _ => corners.depth_plane::<V>(depth),
+        }
+    } else {
+        Plane::default()
+    };
+    let planes = &planes::<V, H, S, F>(&Gradients::NONE, &[*provoking; 3], provoking, false, state);
+    let (depth, output, counter) = state.parts();
+    let mut window = window.level()?;
+    let ((x, mut y), mut covered) = (few.place(), few.covered());
+    // Opaque: the compiler would make the sum of products for each column apart.
+    let (mut at, mut z) = core::hint::black_box((window.number(x, y), z_plane.at(x, y)));
+    loop {
+        let mut pixel = |x: i32, at: usize, z: u32| {
+            let right = x.wrapping_add(1);
+            let span = Span { y, first: x, left: x, right, behind: right };
+            let mut runs = V::runs(planes, &span);
+            let (varying, step, _) = V::run(planes, &mut runs, &span, x);
+            let (pixels, cells) = window.one(at)?;
+            shader.span(Row::<S, F, V> {
+                x,
+                y,
+                pixels,
+                cells,
+                z,
+                z_step: z_plane.dx,
+                may_be_level: false,
+                varying,
+                step,
+                behind: None,
+                depth,
+                output,
+                counter,
+            });
+            Some(())
+        };
+        if covered & 1 != 0 {
+            pixel(x, at, z)?;
+        }
+        if covered & 2 != 0 {
+            pixel(x.wrapping_add(1), at.wrapping_add(1), z.wrapping_add(z_plane.dx))?;
+        }
+        covered >>= 2;
+        if covered == 0 {
+            return Some(());
+        }
+        y = y.wrapping_add(1);
+        z = z.wrapping_add(z_plane.dy);
+        at = at.wrapping_add(window.stride());
+        // Not unrolled.
+        core::hint::black_box(());
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::math::hard_numbers::Random;
 use crate::raster::{BoundingBox, ScreenVertex};
 use crate::shade::{Average, Dither4, Less, PolygonOffset, ReadOnly, Stats};
-use crate::{Color, Flat, Frame, Rgb, Rgb565, ScreenPass, Size};
+use crate::{Color, Cull, Flat, Frame, Rgb, Rgb565, ScreenPass, Size};
 use fixed::types::I8F8;
 
 /// What a pass draws and counts with spans by another way must be what it does without.
@@ -55,6 +55,8 @@ fn few_pixels_are_those_of_spans() {
             compare!(triangles, 6, pass().depth(ReadOnly::new(Less)).blend(Average)),
             compare!(triangles, 6, pass().depth(PolygonOffset::new(Less, I8F8::ONE, 2))),
             compare!(triangles, 6, pass().dither(Dither4)),
+            compare!(triangles, 6, pass().cull(Cull::Back).depth(Less)),
+            compare!(triangles, 6, pass().cull(Cull::Front)),
         ];
         for stats in stats {
             (drawn, pixels) = (drawn + stats.drawn, pixels + stats.pixels);

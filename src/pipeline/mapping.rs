@@ -1,4 +1,4 @@
-use super::projected::{flag, Projected};
+use super::projected::{flag, Projected, HALVES_MULTIPLY, RAISED};
 use super::transform::Depth;
 use super::Clip;
 use crate::frame::Size;
@@ -76,6 +76,9 @@ pub(crate) struct Mapping {
     /// The viewport's centre in subpixels of the picture.
     pub(crate) center_x: i32,
     pub(crate) center_y: i32,
+    /// The same less [`RAISED`].
+    raised_x: i32,
+    raised_y: i32,
     /// The viewport's size in pixels.
     size: Size,
     pub(super) depth: Depth,
@@ -123,6 +126,8 @@ impl Mapping {
             half_height,
             center_x: center(left, width),
             center_y: center(top, height),
+            raised_x: center(left, width).wrapping_sub(RAISED),
+            raised_y: center(top, height).wrapping_sub(RAISED),
             size,
             depth,
             easy_w: only_if(!depth.is_row()),
@@ -270,11 +275,14 @@ impl Mapping {
     /// A projected vertex as a corner for the rasterizer.
     #[inline(always)]
     pub(crate) fn place(&self, vertex: &Projected) -> ScreenVertex {
-        ScreenVertex::from_bits(
-            self.center_x.wrapping_add(vertex.x()),
-            self.center_y.wrapping_add(vertex.y()),
-            vertex.z(),
-        )
+        // Words of both would be made before, for products that do not ask for them.
+        let (x, y) = if HALVES_MULTIPLY {
+            let (x, y) = vertex.raised();
+            (self.raised_x.wrapping_add(x), self.raised_y.wrapping_add(y))
+        } else {
+            (self.center_x.wrapping_add(vertex.x()), self.center_y.wrapping_add(vertex.y()))
+        };
+        ScreenVertex::from_bits(x, y, vertex.z())
     }
 
     /// x and y in subpixels from the viewport's centre, and the depth code. w must be above zero.

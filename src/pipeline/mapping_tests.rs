@@ -6,10 +6,10 @@ use super::Mapping;
 use crate::frame::{Size, MAX_SIDE};
 use crate::math::hard_numbers::Random;
 use crate::pipeline::assembly::{area_by_coordinates, area_by_sides, area_of};
-use crate::pipeline::projected::{flag, Projected};
+use crate::pipeline::projected::{flag, Projected, RAISED};
 use crate::pipeline::transform::Depth;
 use crate::pipeline::Clip;
-use crate::raster::ScreenVertex;
+use crate::raster::{first_center, ScreenVertex};
 
 /// Any viewport: small ones, long ones and large ones.
 fn any_size(random: &mut Random) -> Size {
@@ -61,11 +61,33 @@ fn a_vertex_in_view_has_the_bits_of_any_vertex() {
             let clip = any_clip(&mut random, &depth);
             let (one, other) = (project(&mapping, &clip), mapping.project_any(&clip));
             assert_eq!(one, other, "{clip:?} by {mapping:?}");
-            let count = if one.flags() & flag::ANY == 0 { &mut in_view } else { &mut beside };
-            *count += 1;
+            if one.flags() & flag::ANY == 0 {
+                // Edges through it reach no centre beyond the viewport.
+                let place = mapping.place(&one);
+                for (bits, side) in [(place.x_bits(), size.width), (place.y_bits(), size.height)] {
+                    assert!(
+                        (0..=side.into()).contains(&first_center(bits)),
+                        "{clip:?} by {mapping:?}"
+                    );
+                }
+                in_view += 1;
+            } else {
+                beside += 1;
+            }
         }
     }
     assert!(in_view > 200_000 && beside > 200_000, "{in_view} in view, {beside} beside");
+}
+
+#[test]
+fn raised_coordinates_are_those_of_words() {
+    let ends = [i16::MIN, -1, 0, 1, i16::MAX];
+    let all = (i16::MIN..=i16::MAX).flat_map(|one| ends.map(|end| [(one, end), (end, one)]));
+    for (x, y) in all.flatten() {
+        let vertex = Projected::new(x.into(), y.into(), 0, 0);
+        let (raised_x, raised_y) = vertex.raised();
+        assert_eq!((raised_x - RAISED, raised_y - RAISED), (x.into(), y.into()));
+    }
 }
 
 #[test]

@@ -254,7 +254,8 @@ impl<S: State> Pass<'_, S> {
             scale,
             offset,
         };
-        Some(SetUp { mapping, area, culled, prepared: shader.prepare(&context) })
+        let is_whole = area == viewport;
+        Some(SetUp { mapping, area, is_whole, culled, prepared: shader.prepare(&context) })
     }
 
     /// Makes a mesh ready to be drawn, and draws it.
@@ -275,17 +276,21 @@ impl<S: State> Pass<'_, S> {
         let (picture, scissor) = (frame.picture(), frame.scissor());
         let mut transform = Transform::NONE;
         let ready = self.set_up(picture, scissor, model, vertices, shader, &mut transform);
-        let Some(SetUp { mapping, area, culled, prepared }) = ready else {
+        let Some(SetUp { mapping, area, is_whole, culled, prepared }) = ready else {
             work.skip(self.state.counter());
             return;
         };
         let draw = &Draw { vertices, shader, prepared: &prepared };
         let state = &mut self.state;
         if H::OWN_POSITIONS {
-            work.run(&Ready { draw, positions: draw, mapping, area, culled }, frame, state);
+            work.run(
+                &Ready { draw, positions: draw, mapping, area, is_whole, culled },
+                frame,
+                state,
+            );
         } else {
             let positions = &MeshPositions { transform: &transform, positions: vertices.positions };
-            work.run(&Ready { draw, positions, mapping, area, culled }, frame, state);
+            work.run(&Ready { draw, positions, mapping, area, is_whole, culled }, frame, state);
         }
     }
 }
@@ -295,6 +300,8 @@ pub(super) struct SetUp<H: Shader> {
     pub(super) mapping: Mapping,
     /// What is drawn of the picture.
     pub(super) area: Rect,
+    /// Whether that is all of the viewport.
+    pub(super) is_whole: bool,
     pub(super) culled: CulledWindings,
     pub(super) prepared: H::Prepared,
 }
@@ -320,6 +327,8 @@ pub(super) struct Ready<'a, H: Shader, P> {
     pub(super) mapping: Mapping,
     /// What is drawn of the picture.
     pub(super) area: Rect,
+    /// Whether that is all of the viewport.
+    pub(super) is_whole: bool,
     pub(super) culled: CulledWindings,
 }
 
@@ -347,6 +356,7 @@ where
             cursor: T::Cursor::default(),
             mapping: ready.mapping,
             area: ready.area,
+            is_whole: ready.is_whole,
             culled: ready.culled,
             fan: Fan::default(),
         };

@@ -5,14 +5,14 @@ use super::cache::CacheView;
 use super::clipper::Fan;
 use super::display_list::{reaches, Recorded};
 use super::draw::Draw;
-use super::fill::{find, largest_of_few, Access, Fill, Walk};
+use super::fill::{find, limits_of_few, Access, Fill, Walk};
 use super::pass::SetUp;
 use super::transform::Transform;
 use super::{DisplayList, ListError, Pass, VertexCache};
 use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies, Target};
 use crate::math::Mat4;
-use crate::raster::{ScreenVertex, SpanBatch};
+use crate::raster::{Limits, ScreenVertex, SpanBatch};
 use crate::scene::{Mesh, Topology};
 use crate::shade::{Bound, Corner, Counter, Event, Shader, State, Varying};
 
@@ -110,25 +110,26 @@ struct Replay<'r, 'f, S: State, F: Format, D> {
     target: Target<'r, 'f, F, D, Access<S>>,
     state: &'r mut S,
     area: Rect,
+    limits: Limits,
     walk: Walk<S>,
     batch: SpanBatch,
 }
 
 impl<'r, 'f, S: State, F: Format, D: Supplies<Access<S>>> Replay<'r, 'f, S, F, D> {
     /// Within `area`, as far as the frame reaches.
-    fn new(frame: &'r mut Frame<'f, F, D>, state: &'r mut S, area: Rect) -> Self {
+    fn new<V: Varying>(frame: &'r mut Frame<'f, F, D>, state: &'r mut S, area: Rect) -> Self {
         let area = frame.scissor().intersection(area);
         let target = frame.target();
-        Self { target, state, area, walk: Walk::<S>::default(), batch: SpanBatch::default() }
+        let limits = limits_of_few::<V, S, F, D>(state, &target, &area);
+        let (walk, batch) = (Walk::<S>::default(), SpanBatch::default());
+        Self { target, state, area, limits, walk, batch }
     }
 
     #[inline(always)]
     fn draw<H: Shader>(&mut self, recorded: &Recorded<Corner<H::Varying>>, bound: &Bound<'_, H>) {
-        let Self { target, state, area, walk, batch } = self;
+        let Self { target, state, area, limits, walk, batch } = self;
         let Recorded { triangle, corners, provoking } = recorded;
-        let largest = largest_of_few::<H::Varying, F, D, Access<S>>(target);
-        let few = find::<H::Varying, S>(state, triangle, area, largest, walk, batch);
-        if !few.is_empty() {
+        if let Some(few) = find::<H::Varying, S>(state, triangle, area, limits, walk, batch) {
             let fill = Fill { triangle, corners, provoking };
             fill.draw_known(few, target, *state, bound, walk, batch);
         }
@@ -200,7 +201,7 @@ impl<S: State> Pass<'_, S> {
         let (vertices, whole) = (mesh.vertices(), Rect::from_size(picture));
         let mut transform = Transform::NONE;
         let ready = self.set_up(picture, whole, model, vertices, shader, &mut transform);
-        let Some(SetUp { mapping, area, culled, prepared }) = ready else {
+        let Some(SetUp { mapping, area, culled, prepared, .. }) = ready else {
             for _ in 0..mesh.triangles() {
                 self.state.counter().event(Event::Triangle);
                 self.state.counter().event(Event::Skipped);
@@ -208,7 +209,10 @@ impl<S: State> Pass<'_, S> {
             return Recording { list, shader, prepared: None, area: Rect::default() };
         };
         let (cursor, fan) = (T::Cursor::default(), Fan::default());
-        let assembly = Assembly { topology: mesh.topology, cursor, mapping, area, culled, fan };
+        let topology = mesh.topology;
+        // Of bands, most triangles reach beyond.
+        let is_whole = false;
+        let assembly = Assembly { topology, cursor, mapping, area, is_whole, culled, fan };
         let draw = Draw { vertices, shader, prepared: &prepared };
         let counter = self.state.counter();
         if H::OWN_POSITIONS {
@@ -245,7 +249,7 @@ impl<S: State> Pass<'_, S> {
         let rows = frame.size().height;
         let mut band = list.band(frame.picture(), frame.first_row(), rows)?;
         let end = i32::from(frame.first_row()).wrapping_add(rows.into());
-        let mut replay = Replay::new(frame, &mut self.state, *area);
+        let mut replay = Replay::new::<H::Varying>(frame, &mut self.state, *area);
         while let Some(number) = list.next(&mut band) {
             let Some((recorded, bottom)) = list.recorded(number) else { break };
             if bottom > end {
@@ -314,7 +318,7 @@ impl<S: State> Pass<'_, S> {
         list.check_room()?;
         list.check(frame.picture())?;
         let bound = Bound { shader: *shader, prepared };
-        let mut replay = Replay::new(frame, &mut self.state, *area);
+        let mut replay = Replay::new::<H::Varying>(frame, &mut self.state, *area);
         let Rect { top, bottom, .. } = replay.area;
         for number in list.numbers_within(top, bottom) {
             if let Some((recorded, _)) = list.recorded(number) {

@@ -1,3 +1,4 @@
+use crate::math::BY_HALVES;
 use crate::raster::{GUARD, SUBPIXELS};
 
 /// What is known of a vertex, as bits of [`Projected::flags`]; a triangle whose corners share one of
@@ -30,6 +31,12 @@ pub(crate) mod flag {
 }
 
 const _: () = assert!(i16::MAX as i32 <= GUARD * SUBPIXELS, "what 12.4 holds needs no clipping");
+
+/// Whether halves of words, as coordinates are, are factors of one instruction.
+pub(super) const HALVES_MULTIPLY: bool = cfg!(target_arch = "arm") && !BY_HALVES;
+
+/// By how much raised coordinates are above those that they stand for, so that none is below zero.
+pub(super) const RAISED: i32 = 1 << 15;
 
 /// A vertex on the screen: the one value from which every path draws.
 ///
@@ -72,6 +79,14 @@ impl Projected {
     #[inline(always)]
     pub(crate) const fn y(self) -> i32 {
         self.xy.cast_signed() >> 16
+    }
+
+    /// Both coordinates, [`RAISED`] above what they are.
+    #[inline(always)]
+    pub(crate) const fn raised(self) -> (i32, i32) {
+        let x = self.xy.wrapping_add(RAISED.cast_unsigned()) & 0xFFFF;
+        let y = (self.xy ^ RAISED.cast_unsigned() << 16) >> 16;
+        (x.cast_signed(), y.cast_signed())
     }
 
     /// The depth code.

@@ -1,4 +1,4 @@
-use super::fill::{find, largest_of_few, Access, Fill, Walk};
+use super::fill::{draw_few, find, find_spans, limits_of_few, Access, Fill, Walk};
 use super::line::{LineDraw, Outcome};
 use super::point::{draw_point, single_points};
 use super::{Cull, CulledWindings, LineStyle, Winding};
@@ -7,10 +7,10 @@ use crate::frame::{Damage, Frame, Size, Supplies};
 use crate::math::{Mat4, Vec3};
 #[cfg(doc)]
 use crate::raster::PointSquare;
-use crate::raster::{Fit, Fitted, ScreenVertex, SpanBatch, Traversal};
+use crate::raster::{Few, Fitted, Limits, Nothing, ScreenVertex, SpanBatch, Traversal};
 use crate::shade::{
     Blend, Bound, ColorMask, Corner, Counter, Counting, DepthTest, Dither, DrawContext, Event,
-    Fragments, Output, Shader, State, States, Stats, Tracking, Uncounted,
+    Fragments, Output, Shader, State, States, Stats, Tracking, Uncounted, Varying,
 };
 
 /// A corner on the screen and what shader `H` interpolates from it.
@@ -303,40 +303,45 @@ impl<S: State> ScreenPass<S> {
         let mut walk = Walk::<S>::default();
         let mut batch = SpanBatch::made_by_stores();
         let culled = CulledWindings::new(self.cull, self.front);
-        let (area, mut fitted) = (frame.scissor(), Fitted::new(frame.picture()));
+        let (area, picture) = (frame.scissor(), frame.picture());
         let mut target = frame.target::<Access<S>>();
-        let largest = largest_of_few::<H::Varying, F, D, Access<S>>(&target);
-        for [(a, p), (b, q), (c, r)] in triangles {
-            let counter = self.state.counter();
-            counter.event(Event::Triangle);
-            match fitted.set(a, b, c) {
-                Fit::Ready => {}
-                Fit::Beyond => {
-                    counter.event(Event::Skipped);
-                    continue;
-                }
-                Fit::Degenerate => {
-                    counter.event(Event::Degenerate);
-                    continue;
-                }
-            }
-            let triangle = &fitted.triangle;
-            if culled.contain(if triangle.flipped { -1 } else { 1 }) {
-                counter.event(Event::Culled);
+        let limits = limits_of_few::<H::Varying, S, F, D>(&self.state, &target, &area);
+        let asked = if H::Varying::INTERPOLATED { Limits::NONE } else { limits };
+        let mut fitted = Fitted::new(picture, asked, culled.by_winding());
+        for corners in triangles {
+            let [(a, p), (b, q), (c, r)] = corners;
+            self.state.counter().event(Event::Triangle);
+            let few = fitted.set(a, b, c);
+            let (triangle, state) = (&fitted.triangle, &mut self.state);
+            if !H::Varying::INTERPOLATED && few.covered() != 0 {
+                state.counter().event(Event::Drawn);
+                draw_few::<_, _, S, F, D, _>(corners, p, few, &mut target, state, bound);
                 continue;
             }
-            let state = &mut self.state;
-            let few = find::<H::Varying, S>(state, triangle, &area, largest, &mut walk, &mut batch);
-            if few.is_empty() {
-                self.state.counter().event(Event::Outside);
+            if few != Few::UNKNOWN {
+                state.counter().event(match few.nothing() {
+                    Nothing::Outside => Event::Outside,
+                    Nothing::Culled => Event::Culled,
+                    Nothing::Degenerate => Event::Degenerate,
+                    Nothing::Beyond => Event::Skipped,
+                });
                 continue;
             }
-            self.state.counter().event(Event::Drawn);
+            let found = if H::Varying::INTERPOLATED {
+                let (walk, batch) = (&mut walk, &mut batch);
+                find::<H::Varying, S>(state, triangle, &area, &limits, walk, batch).is_some()
+            } else {
+                find_spans(state, triangle, &area, &mut walk, &mut batch)
+            };
+            if !found {
+                state.counter().event(Event::Outside);
+                continue;
+            }
+            state.counter().event(Event::Drawn);
             let ordered = if triangle.flipped { [*p, *r, *q] } else { [*p, *q, *r] };
-            Fill { triangle, corners: &ordered, provoking: p }.draw_known(
-                few,
+            Fill { triangle, corners: &ordered, provoking: p }.draw(
                 &mut target,
-                &mut self.state,
+                state,
                 bound,
                 &mut walk,
                 &mut batch,

@@ -1,4 +1,4 @@
-use super::{Few, Spans, Triangle};
+use super::{Spans, Triangle};
 use crate::frame::Rect;
 
 /// A run of covered pixels in one row, in picture coordinates.
@@ -26,12 +26,12 @@ pub trait Traversal: Copy {
     /// of it is covered.
     fn start(&self, walk: &mut Self::Walk, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch);
 
-    /// The pixels of a triangle of very few and twice the area `largest` at most, where this way
-    /// tells them apart: then it need not be started.
+    /// Whether passes are to ask before whether a triangle covers few pixels, which they then draw
+    /// without it.
     #[doc(hidden)]
     #[inline(always)]
-    fn few(&self, _triangle: &Triangle, _area: &Rect, _largest: u32) -> Few {
-        Few::UNKNOWN
+    fn leaves_few(&self) -> bool {
+        false
     }
 }
 
@@ -139,7 +139,7 @@ impl Traversal for Scanline {
     }
 
     #[inline(always)]
-    fn few(&self, triangle: &Triangle, area: &Rect, largest: u32) -> Few {
-        Few::of(triangle, area, largest)
+    fn leaves_few(&self) -> bool {
+        true
     }
 }

@@ -130,7 +130,7 @@ pub(crate) fn plane_triangle([a, b]: &[ScreenVertex; 2], by_columns: bool) -> Tr
     let side = b.x_bits().wrapping_sub(a.x_bits());
     let c = ScreenVertex::from_bits(a.x_bits(), a.y_bits().wrapping_add(side), a.z);
     let area = i64::from(side).wrapping_mul(side.into()).max(1);
-    Triangle { v: [a, b, c], area, flipped: false }
+    Triangle::of([a, b, c], area, false)
 }
 
 /// The depth codes along a line, in equal steps along its longer side: 16.16, raised by a half so

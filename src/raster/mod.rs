@@ -31,7 +31,7 @@ mod triangle;
 
 pub use coverage::{Scanline, Span, SpanBatch, SpanWalk, Traversal};
 pub(crate) use edge::Edge;
-pub use few::Few;
+pub(crate) use few::{Few, Limits, Nothing};
 pub use gradients::Gradients;
 pub(crate) use gradients::Slopes;
 pub(crate) use line::{depth_along, plane_triangle, Line};
@@ -46,5 +46,5 @@ pub(crate) use spans::first_center;
 pub use spans::Spans;
 #[cfg(feature = "std")]
 pub use traversal::{AnyTraversal, AnyWalk, BlockWalk, Blocks, BoundingBox, Rows};
-pub(crate) use triangle::{area_of_sides, Fit, Fitted};
+pub(crate) use triangle::{area_of_sides, Fitted, Guard};
 pub use triangle::{twice_area, Triangle};

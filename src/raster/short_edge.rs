@@ -19,7 +19,7 @@ pub(super) struct ShortEdge {
 const FRACTION: u32 = 17;
 /// Tallest triangle, in subpixels: 14 pixels hold 14 row centres.
 pub(super) const TALLEST: i32 = 14 * 16;
-/// Widest triangle, in subpixels: 128 pixels.
+/// Widest triangle, in subpixels: 128 pixels. Its sides from the highest corner are half as wide.
 pub(super) const WIDEST: i32 = 1 << 11;
 /// Half of the least distance between crossings.
 const HALF: i32 = (1 << FRACTION) / (16 * TALLEST) / 2;
@@ -82,7 +82,7 @@ impl ShortEdge {
         // No more than dx in all, since `down` is no more than dy.
         let along = step.wrapping_mul(down) >> 4;
         let from = a.x.wrapping_sub(8).wrapping_mul(1 << (FRACTION - 4));
-        Self { x: from.wrapping_add(along).wrapping_add(ROUND_UP), step }
+        Self { x: from.wrapping_add(ROUND_UP).wrapping_add(along), step }
     }
 }
 

@@ -9,9 +9,9 @@ use crate::math::rare;
 ///
 /// # Cost
 /// On Cortex-M4 8 instructions a row of a short triangle and 8 more where it holds a pixel, after
-/// some 170 to start; one division an edge, by a table where the core has none. Passes ask before whether a
-/// triangle is one of very few pixels, which do without. Not generic, so that one copy serves every
-/// shader, state and format.
+/// some 130 to start, 15 more where it may reach beyond the area; one division an edge, by a table
+/// where the core has none. Passes ask before whether a triangle is one of very few pixels, which
+/// do without. Not generic, so that one copy serves every shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans {
     left: LongEdge,
@@ -100,11 +100,10 @@ fn take_all_rows<E: Edge>(
 #[derive(Clone, Copy, Debug)]
 struct Descent {
     high: Point,
-    middle: Point,
-    low: Point,
-    /// Whether the side with the middle corner is the right one.
-    turns_right: bool,
+    right: Point,
+    left: Point,
     start: i32,
+    /// Where the shorter side changes over to its second edge: from the start to the end.
     turn: i32,
     end: i32,
 }
@@ -128,25 +127,28 @@ impl Spans {
         } else {
             (c, a, b)
         };
-        let turns_right = right.y < left.y;
-        let (middle, low) = if turns_right { (right, left) } else { (left, right) };
+        let (upper, lower) = (right.y.min(left.y), right.y.max(left.y));
         // Rows from the first centre at or below the top to the last above the bottom.
-        let start = first_center(high.y).max(area.top);
-        let end = first_center(low.y).min(area.bottom);
+        // The turn is at the first of them below the middle corner, or at the end.
+        let (mut start, mut end) = (first_center(high.y), first_center(lower));
+        let mut turn = first_center(upper);
+        let mut reaches_beyond = false;
+        if !triangle.is_inside {
+            (start, end) = (start.max(area.top), end.min(area.bottom));
+            turn = turn.min(end).max(start);
+            let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
+            // Below zero where the triangle reaches beyond a side.
+            let left_over = first_center(least).wrapping_sub(area.left);
+            let right_over = area.right.wrapping_sub(first_center(most));
+            reaches_beyond = left_over | right_over < 0;
+        }
         if start >= end {
             batch.length = 0;
             return;
         }
-        // At or above the first row where that is below the middle corner.
-        let turn = first_center(middle.y).min(end);
-        let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
-        // Below zero where the triangle reaches beyond a side.
-        let left_over = first_center(least).wrapping_sub(area.left);
-        let right_over = area.right.wrapping_sub(first_center(most));
-        let reaches_beyond = left_over | right_over < 0;
         // Made where it is used, so that a short triangle's never goes through memory.
-        let descent = || Descent { high, middle, low, turns_right, start, turn, end };
-        if low.y.wrapping_sub(high.y) <= TALLEST && most.wrapping_sub(least) < WIDEST {
+        let descent = || Descent { high, right, left, start, turn, end };
+        if lower.wrapping_sub(high.y) <= TALLEST && descent().is_narrow() {
             descent().take_short(batch);
             if reaches_beyond {
                 batch.clip(area.left, area.right);
@@ -160,26 +162,34 @@ impl Spans {
 }
 
 impl Descent {
+    /// Whether sides are short enough along rows: those from the highest corner half as much.
+    #[inline(always)]
+    fn is_narrow(&self) -> bool {
+        let raised = |to: Point| to.x.wrapping_sub(self.high.x).wrapping_add(WIDEST / 2);
+        (raised(self.right) | raised(self.left)).cast_unsigned() < WIDEST.cast_unsigned()
+    }
+
     /// All spans of a short triangle.
     #[inline(always)]
     fn take_short(&self, batch: &mut SpanBatch) {
-        let mut long = ShortEdge::new(self.high, self.low, self.start);
+        let Self { high, right, left, start, turn, end } = *self;
         let mut places = batch.spans.as_mut_slice();
-        let (mut from, mut to, mut y, mut stop) = (self.high, self.middle, self.start, self.turn);
-        if y >= stop {
-            (from, to, stop) = (self.middle, self.low, self.end);
-        }
+        let mut left_edge = ShortEdge::new(high, left, start);
+        let mut right_edge = ShortEdge::new(high, right, start);
+        let (mut y, mut stop) = (start, turn);
         loop {
-            let short = ShortEdge::new(from, to, y);
-            let (mut left, mut right) =
-                if self.turns_right { (long, short) } else { (short, long) };
-            take_rows(&mut left, &mut right, y, stop, &mut places);
-            if stop >= self.end {
+            take_rows(&mut left_edge, &mut right_edge, y, stop, &mut places);
+            if stop >= end {
                 break;
             }
-            // Over to the short side's second edge.
-            long = if self.turns_right { left } else { right };
-            (from, to, y, stop) = (self.middle, self.low, stop, self.end);
+            // Over to the second edge of the side that has two.
+            y = stop;
+            if right.y < left.y {
+                right_edge = ShortEdge::new(right, left, y);
+            } else {
+                left_edge = ShortEdge::new(left, right, y);
+            }
+            stop = end;
         }
         batch.length = SpanBatch::CAPACITY.wrapping_sub(places.len());
     }
@@ -187,7 +197,9 @@ impl Descent {
     /// Makes the walk over any other triangle.
     #[inline(never)]
     fn walk(&self, walk: &mut Spans) {
-        let Self { high, middle, low, turns_right, start, turn, end } = *self;
+        let Self { high, right, left, start, turn, end } = *self;
+        let turns_right = right.y < left.y;
+        let (middle, low) = if turns_right { (right, left) } else { (left, right) };
         let long = LongEdge::new(high, low, start);
         let short = if start < turn {
             LongEdge::new(high, middle, start)

@@ -45,7 +45,7 @@ impl Positions for MeshPositions<'_> {
         }
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn point(&self, index: u32, mapping: &Mapping, place: &mut ScreenVertex) -> Option<Event> {
         let Some(position) = self.positions.get(index as usize) else {
             return Some(Event::Skipped);

@@ -50,10 +50,14 @@ impl Mat4 {
     }
 
     /// Whether this is [`IDENTITY`](Self::IDENTITY) to the bit.
-    pub(crate) fn is_identity(&self) -> bool {
-        let ones = [self, &Self::IDENTITY].map(|matrix| matrix.to_columns());
-        let [mine, ones] = ones.each_ref().map(|columns| columns.as_flattened());
-        mine.iter().zip(ones).all(|(a, b)| a.to_bits() == b.to_bits())
+    #[inline(never)]
+    fn is_identity(&self) -> bool {
+        const ONE: u32 = 1_f32.to_bits();
+        let Self { x, y, z, w } = self;
+        let zeros = [[x.y, x.z, x.w], [y.x, y.z, y.w], [z.x, z.y, z.w], [w.x, w.y, w.z]];
+        let zeros = zeros.as_flattened().iter().fold(0, |any, zero| any | zero.to_bits());
+        let ones = [x.x, y.y, z.z, w.w].iter().fold(0, |any, one| any | one.to_bits() ^ ONE);
+        zeros | ones == 0
     }
 
     /// `self * first`, but for the sign of a zero where one of them is the identity: many draws turn

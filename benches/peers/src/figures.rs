@@ -53,7 +53,7 @@ pub(crate) fn write_threads(
 /// Pixels of the picture on the board.
 const PIXELS: f64 = 320.0 * 240.0;
 
-/// Instructions by pixel of the picture (F), by triangle (S) or by frame (M).
+/// Instructions by pixel of the picture (F, blend), by triangle (S) or by frame (M).
 pub(crate) fn board_table(counts: &[Count]) -> String {
     let names: Vec<_> = RENDERERS.iter().map(|(name, _)| *name).collect();
     let mut table = format!("| | a | {} |\n", names.join(" | "));
@@ -63,7 +63,7 @@ pub(crate) fn board_table(counts: &[Count]) -> String {
     for scene in scenes {
         let of = |name: &str| counts.iter().find(|c| c.scene == scene && c.renderer == name);
         let kind = match scene.as_bytes().first() {
-            Some(b'F') => "pixel",
+            Some(b'F' | b'b') => "pixel",
             Some(b'S') => "triangle",
             _ => "frame",
         };

@@ -10,9 +10,12 @@
 mod support;
 
 use microraster::raster::{
-    AnyTraversal, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
+    AnyTraversal, BoundingBox, Scanline, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal,
+    Triangle,
 };
-use microraster::{Color, Frame, Gouraud, Less, Rect, Rgb, Rgb565, ScreenPass, Size};
+use microraster::{
+    Color, Cull, Flat, Frame, Gouraud, Less, Rect, Rgb, Rgb565, ScreenPass, Size, Stats,
+};
 use support::{any_corner, Random};
 
 const PICTURE: Size = Size::new(32, 24);
@@ -74,4 +77,52 @@ fn all_traversals_draw_the_same_colours_and_depths() {
     for other in OTHERS {
         assert_eq!(draw(other), expected, "{other:?}");
     }
+}
+
+/// Draws small triangles of one colour each, with corners in one place among them.
+fn draw_small(traversal: impl Traversal, round: u64) -> (Vec<u16>, Vec<u16>, Stats) {
+    let mut random = Random(round);
+    let (mut pixels, mut depth) = (vec![0; 32 * 24], vec![0; 32 * 24]);
+    let frame = Frame::<Rgb565>::new(&mut pixels, PICTURE).expect("sizes fit");
+    let mut frame = frame.with_depth(&mut depth).expect("sizes fit");
+    if round.is_multiple_of(2) {
+        frame.set_scissor(Rect::new(5, random.range(0, 12), 19, random.range(12, 24)));
+    }
+    let mut stats = Stats::default();
+    let mut pass = ScreenPass::new().depth(Less).traversal(traversal).count(&mut stats);
+    for _ in 0..200 {
+        pass = pass.cull([Cull::None, Cull::Back, Cull::Front][random.range(0, 2) as usize]);
+        let (x, y) = (random.range(-16, 32 * 16), random.range(-16, 24 * 16));
+        // Many on a grid of half pixels, where edges go through centres.
+        let grid = if random.range(0, 1) == 0 { !7 } else { !0 };
+        let is_level = random.range(0, 1) == 0;
+        let mut corners = [0; 3].map(|_: i32| {
+            let at = |from: i32, random: &mut Random| (from + random.range(0, 40)) & grid;
+            let (x, y) = (at(x, &mut random), at(y, &mut random));
+            let z = if is_level { 9 } else { random.range(0, 65_535) };
+            let color = Rgb::new(random.next() as u8, random.next() as u8, random.next() as u8);
+            (ScreenVertex::from_bits(x, y, z as u16), Color::from(color))
+        });
+        match random.range(0, 9) {
+            0 => corners[1].0 = corners[0].0,
+            1 => corners = [corners[0]; 3],
+            _ => {}
+        }
+        pass.triangle(&mut frame, &Flat::colored(), &corners);
+    }
+    (pixels, depth, stats)
+}
+
+#[test]
+fn few_pixels_are_those_of_any_traversal() {
+    let mut seen = [0; 4];
+    for round in 0..200 {
+        let (few, expected) = (draw_small(Scanline, round), draw_small(BoundingBox, round));
+        assert!(few == expected, "round {round}: {:?} for {:?}", few.2, expected.2);
+        let Stats { degenerate, culled, outside, drawn, .. } = expected.2;
+        for (seen, count) in seen.iter_mut().zip([degenerate, culled, outside, drawn]) {
+            *seen += count;
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 1000), "{seen:?}");
 }

@@ -183,8 +183,8 @@ fn few(triangle: &Triangle, limits: &Limits) -> Few {
 }
 
 /// The pixels of a triangle whose box holds two by two pixel centres at most and is within limits, by
-/// edge functions: a walk along its edges would cost more to start. `TURNED` if corners run
-/// counter-clockwise and the area is below zero. Corners may be anywhere.
+/// edge functions: a walk along its edges would cost more to start. `TURNED` if the area is below zero,
+/// as where corners run counter-clockwise, or zero. Corners may be anywhere.
 ///
 /// A centre on an edge belongs to the triangle if it still does when it is moved to the right by
 /// very little, and down by very much less: by 1/64 and 1/4096 of a subpixel, which moves no edge

@@ -111,7 +111,8 @@ impl Fitted {
         let area = sides.short_area();
         // One less than the area of those that are turned.
         if ((area ^ (area >> 31)).cast_unsigned()) < self.limits.largest {
-            let (turned, few) = if area < 0 {
+            // Without an area too: edge functions of corners in one place are zero, and not below.
+            let (turned, few) = if area <= 0 {
                 (true, few_of::<true>(p, sides, area, &self.limits))
             } else {
                 (false, few_of::<false>(p, sides, area, &self.limits))
@@ -288,10 +289,17 @@ mod tests {
                     _ => middle + (word >> 27).cast_signed() - 8,
                 }
             };
-            let v = [0, 1, 2].map(|z| {
+            let mut v = [0, 1, 2].map(|z| {
                 let (x, y) = (axis(picture.width), axis(picture.height));
                 ScreenVertex::from_bits(x, y, z)
             });
+            // Two corners in one place, and all three.
+            if round % 7 < 2 {
+                v[1] = v[0];
+            }
+            if round % 7 == 1 {
+                v[2] = v[0];
+            }
             let mut fitted = Fitted::new(picture, limits, culls);
             let fit = fitted.set(&v[0], &v[1], &v[2]);
             let (expected, made) = match Triangle::oriented(v) {

@@ -9,12 +9,15 @@
 
 mod support;
 
+use microraster::math::{AngleUnits, Mat4, Vec3};
+use microraster::models::TEAPOT;
 use microraster::raster::{
-    AnyTraversal, BoundingBox, Scanline, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal,
+    AnyTraversal, BoundingBox, Scanline, ScreenVertex, Span, SpanBatch, SpanWalk, Spans, Traversal,
     Triangle,
 };
 use microraster::{
-    Color, Cull, Flat, Frame, Gouraud, Less, Rect, Rgb, Rgb565, ScreenPass, Size, Stats,
+    Camera, Color, Cull, Flat, Frame, Gouraud, Less, Light, Pass, Rect, Rgb, Rgb565, ScreenPass,
+    Size, Stats,
 };
 use support::{any_corner, Random};
 
@@ -125,4 +128,32 @@ fn few_pixels_are_those_of_any_traversal() {
         }
     }
     assert!(seen.iter().all(|count| *count > 1000), "{seen:?}");
+}
+
+/// Starts another traversal on the left half of the area alone.
+#[derive(Clone, Copy)]
+struct LeftHalf;
+
+impl Traversal for LeftHalf {
+    type Walk = Spans;
+
+    fn start(&self, walk: &mut Spans, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
+        let middle = (area.left + area.right) / 2;
+        Scanline.start(walk, triangle, &Rect { right: middle, ..*area }, batch);
+    }
+}
+
+#[test]
+fn a_traversal_may_start_another_on_a_part_of_the_area() {
+    let camera = Camera::perspective(45.0.degrees(), 0.5);
+    let model = Mat4::translation(Vec3::new(0.0, 0.0, -8.0));
+    let shader = Flat::lit(&[Light::directional(Vec3::new(-0.3, -0.6, -1.0), Rgb::WHITE)]);
+    let (mut pixels, mut depth) = (vec![0; 32 * 24], vec![0; 32 * 24]);
+    let frame = Frame::<Rgb565>::new(&mut pixels, PICTURE).expect("sizes fit");
+    let mut frame = frame.with_depth(&mut depth).expect("sizes fit");
+    Pass::new(&camera).depth(Less).traversal(LeftHalf).draw(&mut frame, &model, &TEAPOT, &shader);
+    let (left, right): (Vec<_>, Vec<_>) = (0..32 * 24).partition(|at| at % 32 < 16);
+    let drawn = |places: &[usize]| places.iter().filter(|at| depth[**at] != 0).count();
+    assert!(drawn(&left) > 50, "half of it is drawn");
+    assert_eq!(drawn(&right), 0, "the other half is not");
 }

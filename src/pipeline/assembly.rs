@@ -118,7 +118,8 @@ pub(super) struct Assembly<T: Topology> {
     pub(super) mapping: Mapping,
     /// What is drawn of the picture.
     pub(super) area: Rect,
-    /// Whether that is all of the viewport: then triangles in the view do not reach beyond it.
+    /// Whether that is all of the viewport, and taken as it is: then triangles in the view do not
+    /// reach beyond it.
     pub(super) is_whole: bool,
     pub(super) culled: CulledWindings,
     /// The pieces of a clipped triangle.

@@ -356,7 +356,7 @@ where
             cursor: T::Cursor::default(),
             mapping: ready.mapping,
             area: ready.area,
-            is_whole: ready.is_whole,
+            is_whole: ready.is_whole && state.traversal().takes_whole_area(),
             culled: ready.culled,
             fan: Fan::default(),
         };

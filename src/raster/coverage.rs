@@ -33,6 +33,14 @@ pub trait Traversal: Copy {
     fn leaves_few(&self) -> bool {
         false
     }
+
+    /// Whether triangles that are known to lie in the area may be started without a look at it: not
+    /// where this starts another way on a part of the area.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn takes_whole_area(&self) -> bool {
+        false
+    }
 }
 
 /// A triangle being walked.
@@ -140,6 +148,11 @@ impl Traversal for Scanline {
 
     #[inline(always)]
     fn leaves_few(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn takes_whole_area(&self) -> bool {
         true
     }
 }

@@ -60,8 +60,9 @@ impl Mat4 {
         zeros | ones == 0
     }
 
-    /// `self * first`, but for the sign of a zero where one of them is the identity: many draws turn
-    /// nothing, and where floats are software a product costs more than a small mesh.
+    /// `self * first`, or the other one where one of them is the identity: in a product zeros may
+    /// change their sign, and an infinite number makes NaN of others. Many draws turn nothing, and where
+    /// floats are software a product costs more than a small mesh.
     #[inline(never)]
     pub(crate) fn after(&self, first: &Self) -> Self {
         if first.is_identity() {

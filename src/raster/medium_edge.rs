@@ -4,10 +4,11 @@ use super::{Edge, LongEdge, SpanBatch};
 /// at a time: exact all the same.
 ///
 /// At the centre of a row the edge is crossed at a multiple of 1 / (16 dy) of a pixel, which is 17
-/// units of 2^-21 or more while the triangle is at most 480 pixels high. A batch begins with the
-/// column of a [`LongEdge`], cut to that many fraction bits; of what is next above a column, that one
-/// is short by less than a unit, the cut takes less than another, and each of up to 15 steps less than
-/// one more. So what lies a whole distance above a column is not taken for it, and nothing else is nearer.
+/// units of 2^-21 or more while the triangle is at most 480 pixels high. So the column, which is
+/// ceil(crossing - 1/2), is floor(crossing + 1/2 - e) for any e above zero and up to 17 units. What is
+/// lost is such an e, for all of it is cut off downwards: less than a unit in the [`LongEdge`] that a
+/// batch begins with, less than another where its lower bits are left out, and less than one more in
+/// each of up to 15 steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MediumEdge {
     /// Columns with 21 fraction bits.

@@ -91,7 +91,8 @@ impl SpanBatch {
         self.length < Self::CAPACITY
     }
 
-    /// Adds a span; one too many is lost.
+    /// Adds a span that holds a pixel; one too many is lost. Of a triangle with a span that holds none,
+    /// those that follow may not be drawn.
     #[inline(always)]
     pub fn push(&mut self, span: Span) {
         if let Some(place) = self.spans.get_mut(self.length) {

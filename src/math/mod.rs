@@ -67,6 +67,6 @@ pub use vec3::Vec3;
 pub use vec4::Vec4;
 pub(crate) use whole::whole;
 pub(crate) use wide::{
-    half_factor, mul_high_30, mul_high_31, mul_high_both_31, mul_high_positive, mul_high_signed,
-    weight, weighted_sum, BY_HALVES,
+    half_factor, in_parts, mul_high_30, mul_high_31, mul_high_both_31, mul_high_positive,
+    mul_high_signed, weight, weighted_sum, weighted_sum_of_parts, BY_HALVES,
 };

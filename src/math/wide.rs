@@ -169,13 +169,23 @@ pub(crate) const fn weight(w: i32) -> i32 {
     }
 }
 
-/// The same as [`weighted_sum`] for the halves of plain weights.
+/// Bits of the lower part of a weight in two.
+const LOW: u32 = 14;
+
+/// A pair of plain weights in two parts each: the lower ones, the upper ones.
 #[inline(always)]
-const fn weighted_sum_by_halves(a: i32, p: i32, b: i32, q: i32) -> i32 {
-    const LOW: i32 = (1 << 14) - 1;
-    let low = a.wrapping_mul(p & LOW).wrapping_add(b.wrapping_mul(q & LOW));
-    let high = a.wrapping_mul(p >> 14).wrapping_add(b.wrapping_mul(q >> 14));
-    high.wrapping_add(low >> 14) >> 2
+pub(crate) const fn in_parts(p: i32, q: i32) -> [i32; 4] {
+    const MASK: i32 = (1 << LOW) - 1;
+    [p & MASK, q & MASK, p >> LOW, q >> LOW]
+}
+
+/// The same as [`weighted_sum`] for plain weights in parts.
+#[inline(always)]
+pub(crate) const fn weighted_sum_of_parts(a: i32, b: i32, parts: [i32; 4]) -> i32 {
+    let [p_low, q_low, p_high, q_high] = parts;
+    let low = a.wrapping_mul(p_low).wrapping_add(b.wrapping_mul(q_low));
+    let high = a.wrapping_mul(p_high).wrapping_add(b.wrapping_mul(q_high));
+    high.wrapping_add(low >> LOW) >> 2
 }
 
 /// (a p + b q) / 2^16, rounded down.
@@ -185,7 +195,7 @@ const fn weighted_sum_by_halves(a: i32, p: i32, b: i32, q: i32) -> i32 {
 #[inline(always)]
 pub(crate) const fn weighted_sum(a: i32, p: i32, b: i32, q: i32) -> i32 {
     if BY_HALVES {
-        weighted_sum_by_halves(a, p, b, q)
+        weighted_sum_of_parts(a, b, in_parts(p, q))
     } else {
         // 2^15 and the weight's 2 make 2^16: what is left is the upper word.
         let (a, b) = (a.wrapping_shl(15) as i64, b.wrapping_shl(15) as i64);
@@ -198,13 +208,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn weighted_sums_by_halves_are_those_of_64_bits() {
+    fn weighted_sums_of_parts_are_those_of_64_bits() {
         let ends = [0, 1, -1, 77, -4096, 65_535, -65_535];
         let weights = [0, 1, -1, 16_383, -16_384, 16_385, 1 << 27, -(1 << 27), (1 << 27) - 1];
         for (a, b) in ends.iter().flat_map(|a| ends.map(|b| (*a, b))) {
             for (p, q) in weights.iter().flat_map(|p| weights.map(|q| (*p, q))) {
                 let exact = (i64::from(a) * i64::from(p) + i64::from(b) * i64::from(q)) >> 16;
-                let sum = weighted_sum_by_halves(a, p, b, q);
+                let sum = weighted_sum_of_parts(a, b, in_parts(p, q));
                 assert_eq!(i64::from(sum), exact, "{a} x {p} + {b} x {q}");
                 let sum = weighted_sum(a, weight(p), b, weight(q));
                 assert_eq!(i64::from(sum), exact, "{a} x {p} + {b} x {q}");

@@ -44,6 +44,8 @@ struct Exact {
     y2: i32,
     mantissa: u32,
     shift: u32,
+    /// Whether the sides are below [`SHORT_SIDE`].
+    is_short: bool,
     /// From the first corner to the centre of its pixel, in subpixels.
     to_center_x: i32,
     to_center_y: i32,
@@ -138,7 +140,8 @@ impl Gradients {
         let mantissa = reciprocal.mantissa;
         let to_center_x = 8_i32.wrapping_sub(a.x_bits() & 15);
         let to_center_y = 8_i32.wrapping_sub(a.y_bits() & 15);
-        let exact = Exact { x1, y1, x2, y2, mantissa, shift, to_center_x, to_center_y };
+        let is_short = longest < SHORT_SIDE;
+        let exact = Exact { x1, y1, x2, y2, mantissa, shift, is_short, to_center_x, to_center_y };
         let (pixel_x, pixel_y) = (a.x_bits() >> 4, a.y_bits() >> 4);
         Self { pixel_x, pixel_y, reach: longest, exact: Some(exact), ..Self::NONE }
     }
@@ -313,16 +316,46 @@ impl Exact {
     #[inline(never)]
     fn slopes(&self, d1: i32, d2: i32) -> Slopes {
         let slopes = |p: i32, q: i32, r: i32, s: i32| {
-            let (p, q, r, s) = (i64::from(p), i64::from(q), i64::from(r), i64::from(s));
-            let numerator = p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-            let scaled = |shift| scaled_wide(numerator, self.mantissa, shift);
-            (scaled(self.shift), scaled(self.shift.wrapping_add(4)))
+            let numerator = if BY_HALVES && self.is_short {
+                // Products below 2^30.
+                p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s)).into()
+            } else {
+                let (p, q, r, s) = (i64::from(p), i64::from(q), i64::from(r), i64::from(s));
+                p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s))
+            };
+            scaled_twice(numerator, self.mantissa, self.shift)
         };
         let (dx, sub_x) = slopes(d1, self.y2, d2, self.y1);
         let (dy, sub_y) = slopes(d2, self.x1, d1, self.x2);
         let to_center =
             sub_x.wrapping_mul(self.to_center_x).wrapping_add(sub_y.wrapping_mul(self.to_center_y));
         Slopes { dx, dy, to_center }
+    }
+}
+
+/// The same as [`scaled_wide`] with this shift, which must not be zero, and with four more, by one
+/// product where both are below 32.
+#[inline(never)]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "planes are modulo 2^32: the upper bits are cut off on purpose"
+)]
+fn scaled_twice(numerator: i64, mantissa: u32, shift: u32) -> (i32, i32) {
+    if shift < 28 {
+        let product = numerator.wrapping_mul(mantissa.into()) as u64;
+        let rounded = |shift: u32| {
+            let half = 1_u32.wrapping_shl(shift.wrapping_sub(1));
+            let sum = product.wrapping_add(half.into());
+            // By words: some cores call a function for a shift of 64 bits.
+            let (low, high) = (sum as u32, (sum >> 32) as u32);
+            let above = high.wrapping_shl(32_u32.wrapping_sub(shift));
+            (above | low.wrapping_shr(shift)).cast_signed()
+        };
+        (rounded(shift), rounded(shift.wrapping_add(4)))
+    } else {
+        let scaled = |shift| scaled_wide(numerator, mantissa, shift);
+        (scaled(shift), scaled(shift.wrapping_add(4)))
     }
 }
 
@@ -372,6 +405,20 @@ mod tests {
             // The least scale there is.
             let most = (SMALL_AREA - 1).min((2 << (2 * bits)) - 1);
             assert!(6 + most.leading_zeros() >= zeros - 4, "{bits}");
+        }
+    }
+
+    #[test]
+    fn numerators_are_scaled_twice_as_they_are_once() {
+        let mut random = Random::new(22);
+        for round in 0..200_000 {
+            let wide = i64::from(random.word().cast_signed()) << 4 | i64::from(random.word() & 15);
+            let numerator = wide >> (random.word() % 36);
+            let mantissa = 1 << 30 | random.word() >> 2;
+            let shift = 11 + round % 48;
+            let once = |shift| scaled_wide(numerator, mantissa, shift);
+            let twice = scaled_twice(numerator, mantissa, shift);
+            assert_eq!(twice, (once(shift), once(shift + 4)), "{numerator} {mantissa} {shift}");
         }
     }
 

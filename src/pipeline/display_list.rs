@@ -58,7 +58,7 @@ pub struct ListTriangle {
     /// clipped triangle has the same number thrice: its corners are that vertex and the next two,
     /// and the one behind them says what provokes.
     vertices: [u16; 3],
-    /// The next one of the same list.
+    /// The next one of the same list; the first row that it touches until it is in one.
     next: u16,
 }
 
@@ -93,7 +93,7 @@ impl ListTriangle {
 pub struct DisplayList<'a, C> {
     vertices: &'a mut [ListVertex<C>],
     triangles: &'a mut [ListTriangle],
-    /// For each band the last of the triangles whose first row is in it; they form a ring.
+    /// For each band the first of the triangles whose first row is in it.
     bands: &'a mut [u16],
     /// What was recorded, and what would have been.
     vertex_count: u32,
@@ -128,6 +128,16 @@ impl Chain {
             None => self.first = number,
         }
         self.last = number;
+    }
+
+    /// Puts a triangle before all that are there.
+    fn push_first(&mut self, number: u16, triangles: &mut [ListTriangle]) {
+        if let Some(triangle) = triangles.get_mut(usize::from(number)) {
+            triangle.next = core::mem::replace(&mut self.first, number);
+        }
+        if self.last == NONE {
+            self.last = number;
+        }
     }
 }
 
@@ -167,12 +177,16 @@ fn rows_of([a, b, c]: [i32; 3]) -> (i32, i32) {
     (first_center(a.min(b).min(c)), first_center(a.max(b).max(c)))
 }
 
-/// Whether the box of a triangle holds the centre of a pixel of the area.
+/// The first row of the area in which the box of a triangle may hold the centre of a pixel; `None` if
+/// it holds none of the area's.
 #[inline(always)]
-pub(super) fn reaches(triangle: &Triangle, area: &Rect) -> bool {
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "of a picture")]
+pub(super) fn first_row(triangle: &Triangle, area: &Rect) -> Option<u16> {
     let (top, bottom) = rows_of(triangle.v.map(|vertex| vertex.y_bits()));
     let (left, right) = rows_of(triangle.v.map(|vertex| vertex.x_bits()));
-    top.max(area.top) < bottom.min(area.bottom) && left.max(area.left) < right.min(area.right)
+    let first = top.max(area.top);
+    let reaches = first < bottom.min(area.bottom) && left.max(area.left) < right.min(area.right);
+    reaches.then_some(first as u16)
 }
 
 impl<'a, C: Copy> DisplayList<'a, C> {
@@ -264,11 +278,11 @@ impl<'a, C: Copy> DisplayList<'a, C> {
 
     /// Takes a triangle.
     #[inline(always)]
-    pub(super) fn push(&mut self, vertices: [u16; 3]) {
+    pub(super) fn push(&mut self, vertices: [u16; 3], first_row: u16) {
         let number = self.triangle_count;
         match self.triangles.get_mut(number as usize) {
             Some(place) => {
-                *place = ListTriangle { vertices, next: NONE };
+                *place = ListTriangle { vertices, next: first_row };
                 self.triangle_count = number.wrapping_add(1);
             }
             None => one_too_many(&mut self.triangle_count),
@@ -276,14 +290,20 @@ impl<'a, C: Copy> DisplayList<'a, C> {
     }
 
     /// Takes the piece of a clipped triangle.
-    pub(super) fn push_piece(&mut self, triangle: &Triangle, corners: &[C; 3], provoking: C) {
+    pub(super) fn push_piece(
+        &mut self,
+        triangle: &Triangle,
+        corners: &[C; 3],
+        provoking: C,
+        first_row: u16,
+    ) {
         let [a, b, c] = &triangle.v;
         let [p, q, r] = *corners;
         let first = self.push_vertex(a, p);
         for (vertex, corner) in [(b, q), (c, r), (a, provoking)] {
             self.push_vertex(vertex, corner);
         }
-        self.push([first; 3]);
+        self.push([first; 3], first_row);
     }
 
     /// The numbers of a triangle's vertices, the provoking one last.
@@ -302,9 +322,9 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         self.vertices.get(usize::from(number))
     }
 
-    /// A triangle and the row behind its last.
+    /// A triangle and the row behind its last; the provoking corner only if it `provokes` anything.
     #[inline(always)]
-    pub(super) fn recorded(&self, number: u16) -> Option<(Recorded<C>, i32)> {
+    pub(super) fn recorded(&self, number: u16, provokes: bool) -> Option<(Recorded<C>, i32)> {
         let triangle = self.triangles.get(usize::from(number))?;
         let [a, b, c, first] = Self::numbers(triangle);
         let (a, b, c) = (self.vertex(a)?, self.vertex(b)?, self.vertex(c)?);
@@ -315,7 +335,7 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         let recorded = Recorded {
             triangle: Triangle::of(v, area, false),
             corners: [a.corner, b.corner, c.corner],
-            provoking: self.vertex(first)?.corner,
+            provoking: if provokes { self.vertex(first)?.corner } else { a.corner },
         };
         Some((recorded, rows_of([ay, by, cy]).1))
     }
@@ -329,6 +349,7 @@ impl<'a, C: Copy> DisplayList<'a, C> {
     }
 
     /// The rows of a triangle.
+    #[inline(never)]
     fn rows_of(&self, number: u16) -> Option<(i32, i32)> {
         self.y_of(number).map(rows_of)
     }
@@ -373,46 +394,47 @@ impl<'a, C: Copy> DisplayList<'a, C> {
             }
             self.link(top, rows.max(1));
         }
-        let last = self.bands.get(self.number).copied().unwrap_or(NONE);
+        let first = self.bands.get(self.number).copied().unwrap_or(NONE);
         self.number = self.number.wrapping_add(1);
-        let first = self.triangles.get(usize::from(last)).map_or(NONE, |triangle| triangle.next);
         let carried = core::mem::replace(&mut self.carried, Chain::EMPTY).first;
         self.next_row = top.wrapping_add(height);
-        Ok(BandTriangles { carried, first, last })
+        Ok(BandTriangles { carried, first })
     }
 
-    /// Puts each triangle into the ring of the first band that it touches, from `first_row` on.
+    /// Puts each triangle into the list of the first band that it touches, from `first_row` on: from the
+    /// last one to the first, so that each is put before those that are there.
     #[inline(never)]
     fn link(&mut self, first_row: i32, rows: u16) {
+        // Until they are in a list, triangles say themselves where they begin.
+        let are_known = self.rows == 0;
         (self.number, self.rows, self.carried) = (0, rows.into(), Chain::EMPTY);
         self.bands.fill(NONE);
         // So that the target needs no division a triangle: the quotient or one less.
         let rows = u32::from(rows);
         let reciprocal = 0x1_0000_u32.checked_div(rows).unwrap_or(0);
         let count = u16::try_from(self.triangle_count).unwrap_or(NONE);
-        for number in 0..count {
-            let Some(y) = self.y_of(number) else { return };
-            let top = rows_of(y).0;
+        for number in (0..count).rev() {
+            let top = if are_known {
+                self.triangles.get(usize::from(number)).map(|triangle| i32::from(triangle.next))
+            } else {
+                self.rows_of(number).map(|(top, _)| top)
+            };
+            let Some(top) = top else { return };
             if top < first_row {
                 // The last row is asked for here alone: few triangles begin further up.
-                if rows_of(y).1 > first_row {
-                    self.carried.push(number, self.triangles);
+                if self.rows_of(number).is_some_and(|(_, bottom)| bottom > first_row) {
+                    self.carried.push_first(number, self.triangles);
                 }
                 continue;
             }
             let below = top.wrapping_sub(first_row).cast_unsigned();
             let mut band = below.wrapping_mul(reciprocal) >> 16;
-            while below.wrapping_sub(band.wrapping_mul(rows)) >= rows {
+            if below.wrapping_sub(band.wrapping_mul(rows)) >= rows {
                 band = band.wrapping_add(1);
             }
-            let Some(last) = self.bands.get_mut(band as usize) else { continue };
-            let before = core::mem::replace(last, number);
-            let first = match self.triangles.get_mut(usize::from(before)) {
-                Some(before) => core::mem::replace(&mut before.next, number),
-                None => number,
-            };
+            let Some(first) = self.bands.get_mut(band as usize) else { continue };
             if let Some(triangle) = self.triangles.get_mut(usize::from(number)) {
-                triangle.next = first;
+                triangle.next = core::mem::replace(first, number);
             }
         }
     }
@@ -425,7 +447,7 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         if number == band.carried {
             band.carried = next;
         } else {
-            band.first = if number == band.last { NONE } else { next };
+            band.first = next;
         }
         Some(number)
     }
@@ -437,11 +459,9 @@ impl<'a, C: Copy> DisplayList<'a, C> {
     }
 }
 
-/// What is still to be drawn of a band: triangles of earlier bands, and a ring of those that begin
-/// in it.
+/// What is still to be drawn of a band: triangles of earlier bands, and those that begin in it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BandTriangles {
     carried: u16,
     first: u16,
-    last: u16,
 }

@@ -3,7 +3,7 @@
 use super::assembly::{Assembly, Face, MeshPositions, Positions};
 use super::cache::CacheView;
 use super::clipper::Fan;
-use super::display_list::{reaches, Recorded};
+use super::display_list::{first_row, Recorded};
 use super::draw::Draw;
 use super::fill::{find, limits_of_few, Access, Fill, Walk};
 use super::pass::SetUp;
@@ -251,7 +251,9 @@ impl<S: State> Pass<'_, S> {
         let end = i32::from(frame.first_row()).wrapping_add(rows.into());
         let mut replay = Replay::new::<H::Varying>(frame, &mut self.state, *area);
         while let Some(number) = list.next(&mut band) {
-            let Some((recorded, bottom)) = list.recorded(number) else { break };
+            let Some((recorded, bottom)) = list.recorded(number, !H::Varying::AT_ONCE) else {
+                break;
+            };
             if bottom > end {
                 list.carry(number);
             }
@@ -321,7 +323,7 @@ impl<S: State> Pass<'_, S> {
         let mut replay = Replay::new::<H::Varying>(frame, &mut self.state, *area);
         let Rect { top, bottom, .. } = replay.area;
         for number in list.numbers_within(top, bottom) {
-            if let Some((recorded, _)) = list.recorded(number) {
+            if let Some((recorded, _)) = list.recorded(number, !H::Varying::AT_ONCE) {
                 replay.draw(&recorded, &bound);
             }
         }
@@ -365,16 +367,16 @@ impl<H: Shader> Draw<'_, H> {
     {
         let mut face = Face::NONE;
         while assembly.next(positions, cache.entries, counter, &mut face) {
-            if !reaches(&face.triangle, &assembly.area) {
+            let Some(first_row) = first_row(&face.triangle, &assembly.area) else {
                 if !face.clipped {
                     counter.event(Event::Outside);
                 }
                 continue;
-            }
+            };
             let taken = if face.clipped || self.vertices.by_face {
-                self.record_alone(&mut face, positions, &assembly.fan, list)
+                self.record_alone(&mut face, first_row, positions, &assembly.fan, list)
             } else {
-                self.record_shared(&face, positions, &mut cache, list)
+                self.record_shared(&face, first_row, positions, &mut cache, list)
             };
             if taken.is_none() {
                 counter.event(Event::Skipped);
@@ -390,6 +392,7 @@ impl<H: Shader> Draw<'_, H> {
     fn record_shared<P: Positions>(
         &self,
         face: &Face,
+        first_row: u16,
         positions: &P,
         cache: &mut CacheView<'_, u16>,
         list: &mut DisplayList<'_, Corner<H::Varying>>,
@@ -404,7 +407,7 @@ impl<H: Shader> Draw<'_, H> {
                 None => self.record_vertex((index, at), vertex, positions, cache, list)?,
             };
         }
-        list.push(numbers);
+        list.push(numbers, first_row);
         Some(())
     }
 
@@ -434,6 +437,7 @@ impl<H: Shader> Draw<'_, H> {
     fn record_alone<P: Positions>(
         &self,
         face: &mut Face,
+        first_row: u16,
         positions: &P,
         fan: &Fan,
         list: &mut DisplayList<'_, Corner<H::Varying>>,
@@ -454,13 +458,13 @@ impl<H: Shader> Draw<'_, H> {
         if face.clipped {
             face.covered = true;
             let mixed = fan.mixed::<H::Varying>(&corners, face.triangle.flipped);
-            list.push_piece(&face.triangle, &mixed, provoking);
+            list.push_piece(&face.triangle, &mixed, provoking, first_row);
             return Some(());
         }
         let [a, b, c] = &face.triangle.v;
         let [p, q, r] = face.in_order(corners);
         let numbers = [(a, p), (b, q), (c, r)].map(|(v, corner)| list.push_vertex(v, corner));
-        list.push(numbers);
+        list.push(numbers, first_row);
         Some(())
     }
 }

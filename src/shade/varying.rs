@@ -76,7 +76,7 @@ pub trait Varying: Stepped {
         in_pieces: bool,
     ) -> Self::Planes;
 
-    /// Whether [`at_once`](Self::at_once) makes planes.
+    /// Whether [`at_once`](Self::at_once) makes planes; no provoking corner is asked for then, here or there.
     #[doc(hidden)]
     const AT_ONCE: bool = false;
 

@@ -141,7 +141,7 @@ impl Comparison {
 mod tests {
     use super::*;
     use crate::renderers::TOLERANCE;
-    use crate::scene::scenes;
+    use crate::scene::{scenes, Shading};
 
     /// Renderers whose corners keep fractions of pixels, which have the same picture but for
     /// rounding.
@@ -171,7 +171,10 @@ mod tests {
                 continue;
             }
             let comparison = compare(&scene, size, 1);
-            assert!(comparison.results.len() >= 3, "{} is drawn by few", scene.name);
+            // Of the crates none filters, and one blends.
+            let is_rare = matches!(scene.shading, Shading::Filtered { .. } | Shading::Glass(..));
+            let least = if is_rare { 1 } else { 3 };
+            assert!(comparison.results.len() >= least, "{} is drawn by few", scene.name);
             for result in &comparison.results {
                 if FINE.contains(&result.renderer) {
                     let Result { renderer, different, .. } = result;

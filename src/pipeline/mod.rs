@@ -13,6 +13,7 @@ mod cull;
 mod display_list;
 mod draw;
 mod fill;
+mod fill_few;
 #[cfg(all(test, feature = "std"))]
 mod fill_tests;
 mod line;

@@ -1,4 +1,5 @@
-use super::fill::{draw_few, find, find_spans, limits_of_few, Access, Fill, Walk};
+use super::fill::{find, find_spans, limits_of_few, Access, Fill, Walk};
+use super::fill_few::draw_few;
 use super::line::{LineDraw, Outcome};
 use super::point::{draw_point, single_points};
 use super::{Cull, CulledWindings, LineStyle, Winding};

@@ -64,8 +64,9 @@ pub use pipeline::{
 };
 pub use scene::{
     normal, AnyLightKind, AnyTopology, Attenuation, Camera, Consecutive, DirectionalLight,
-    IndexedList, Indices, LastProvoking, Light, LineList, LineLoop, LineStrip, List, Mesh, Normal,
-    PointLight, Points, RestartIndices, SpotLight, Topology, TriangleFan, TriangleStrip,
+    FacePlane, FacePlanes, IndexedList, Indices, LastProvoking, Light, LineList, LineLoop,
+    LineStrip, List, Mesh, Normal, PlaneScale, PointLight, Points, RestartIndices, SpotLight,
+    Topology, TriangleFan, TriangleStrip, WithPlanes,
 };
 pub use shade::{
     Adaptive, Add, Affine, AllChannels, Alpha, Always, AnyBlend, AnyCompare, AnyDepth,

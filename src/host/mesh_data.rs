@@ -4,7 +4,7 @@ use std::vec::Vec;
 use super::{Corner, Model};
 use crate::color::Rgb;
 use crate::math::Vec3;
-use crate::scene::{normal, IndexedList, Mesh, Normal};
+use crate::scene::{normal, FacePlane, FacePlanes, IndexedList, Mesh, Normal, PlaneScale};
 
 /// A part of a model in the form that firmware holds in flash: 16-bit positions, 8-bit normals,
 /// 16-bit indices, one material.
@@ -96,6 +96,30 @@ impl MeshData {
             }
         }
         parts
+    }
+
+    /// The planes of the triangles, for firmware to hold beside them, and what they are made for.
+    ///
+    /// ```
+    /// use microraster::host::{MeshData, Model};
+    /// use microraster::FacePlanes;
+    ///
+    /// for part in MeshData::of_model(&Model::teapot(4), false) {
+    ///     let (planes, scale) = part.planes();
+    ///     let mesh = part.mesh().with_planes(FacePlanes::new(&planes, scale));
+    ///     # assert_eq!(planes.len(), mesh.triangles() as usize);
+    /// }
+    /// ```
+    pub fn planes(&self) -> (Vec<FacePlane>, PlaneScale) {
+        let scale = PlaneScale::of(&self.positions, &self.indices);
+        let position = |index: u16| self.positions.get(usize::from(index)).copied();
+        let planes = self.indices.as_chunks().0.iter().map(|&[a, b, c]| {
+            match (position(a), position(b), position(c)) {
+                (Some(a), Some(b), Some(c)) => scale.plane([a, b, c]),
+                _ => FacePlanes::NO_PLANE,
+            }
+        });
+        (planes.collect(), scale)
     }
 
     /// The part as a mesh.

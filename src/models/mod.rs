@@ -22,7 +22,7 @@ mod teapot;
 mod teapot_tests;
 
 use crate::math::Vec3;
-use crate::scene::{IndexedList, Mesh, Normal};
+use crate::scene::{FacePlane, FacePlanes, IndexedList, Mesh, Normal, PlaneScale};
 pub use teapot::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_OFFSET, TEAPOT_POSITIONS, TEAPOT_SCALE};
 
 /// The teapot as a mesh: normals by vertex, y up, centred on its box, 3.15 high.
@@ -35,3 +35,17 @@ pub use teapot::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_OFFSET, TEAPOT_POSITIONS
 pub static TEAPOT: Mesh<Normal, IndexedList<u16>> = Mesh::new(&TEAPOT_POSITIONS, &TEAPOT_NORMALS)
     .indexed(&TEAPOT_INDICES)
     .placed(Vec3::splat(TEAPOT_SCALE), Vec3::ZERO);
+
+/// The planes of the [`TEAPOT`]'s triangles: 4 KB of flash more, for some 2 to 6 % less to do where it is
+/// culled.
+///
+/// ```
+/// use microraster::models::{TEAPOT, TEAPOT_PLANES};
+///
+/// let teapot = TEAPOT.with_planes(TEAPOT_PLANES);
+/// # assert_eq!(teapot.triangles(), 992);
+/// ```
+pub const TEAPOT_PLANES: FacePlanes<'static> = FacePlanes::new(&PLANES, PLANE_SCALE);
+
+const PLANE_SCALE: PlaneScale = PlaneScale::of(&TEAPOT_POSITIONS, &TEAPOT_INDICES);
+static PLANES: [FacePlane; 992] = PLANE_SCALE.bake(&TEAPOT_POSITIONS, &TEAPOT_INDICES);

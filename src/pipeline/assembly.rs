@@ -6,7 +6,7 @@ use super::transform::Transform;
 use super::{Clip, CulledWindings};
 use crate::frame::Rect;
 use crate::raster::{area_of_sides, ScreenVertex, Triangle};
-use crate::scene::Topology;
+use crate::scene::{Facing, PlaneScale, Topology};
 use crate::shade::{Counter, Event};
 
 /// Where positions in clip space come from.
@@ -20,6 +20,11 @@ pub(super) trait Positions {
     /// Where a vertex lies as a point; what becomes of one that is not between the near and the far
     /// plane or not there at all.
     fn point(&self, index: u32, mapping: &Mapping, place: &mut ScreenVertex) -> Option<Event>;
+
+    /// From where planes of triangles are seen that were made with a scale.
+    fn facing(&self, _mapping: &Mapping, _culled: CulledWindings, _scale: &PlaneScale) -> Facing {
+        Facing::NONE
+    }
 }
 
 /// Positions of a mesh through a transform: one copy for every shader that leaves them to the mesh.
@@ -53,6 +58,10 @@ impl Positions for MeshPositions<'_> {
         let z = || self.transform.z(position);
         let is_seen = mapping.inlined_point(self.transform.sides(position), z, place);
         (!is_seen).then_some(Event::Outside)
+    }
+
+    fn facing(&self, mapping: &Mapping, culled: CulledWindings, scale: &PlaneScale) -> Facing {
+        self.transform.facing(mapping, culled, scale)
     }
 }
 
@@ -203,6 +212,13 @@ pub(super) const fn sign(area: i64) -> i32 {
 }
 
 impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
+    /// Finds out from where planes of triangles are seen, where there are any.
+    #[inline(always)]
+    pub(super) fn face<P: Positions>(&mut self, positions: &P) {
+        let Self { topology, mapping, culled, .. } = self;
+        topology.face(|scale| positions.facing(mapping, *culled, scale));
+    }
+
     /// The next triangle that may be seen; whether there is one.
     ///
     /// # Cost
@@ -228,7 +244,15 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
         }
         let mut cursor = self.cursor;
         let found = loop {
-            let Some((number, vertices)) = self.topology.next::<false>(&mut cursor) else {
+            let next = self.topology.next::<false>(&mut cursor);
+            if C::COUNTS {
+                let number = next.map(|(number, _)| number);
+                for _ in 0..self.topology.left_out_before(&mut cursor, number) {
+                    counter.event(Event::Triangle);
+                    counter.event(Event::Culled);
+                }
+            }
+            let Some((number, vertices)) = next else {
                 break false;
             };
             counter.event(Event::Triangle);

@@ -65,6 +65,7 @@ impl<H: Shader> Draw<'_, H> {
         F: Format,
         D: Supplies<Access<S>>,
     {
+        assembly.face(positions);
         let mut face = Face::NONE;
         let mut walk = Walk::<S>::default();
         let mut batch = SpanBatch::default();

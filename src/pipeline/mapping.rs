@@ -141,6 +141,11 @@ impl Mapping {
         self.size
     }
 
+    /// The least w from which on vertices are projected without a question, as far as w goes.
+    pub(super) fn least_easy_w(&self) -> i32 {
+        self.easy_w.min(self.easy_w_by_z)
+    }
+
     /// Projects a vertex and says on which sides of the view it lies.
     ///
     /// What lies in the view is projected in place; all else by [`project_any`](Self::project_any),

@@ -12,6 +12,7 @@ mod clipper;
 mod cull;
 mod display_list;
 mod draw;
+mod facing;
 mod fill;
 mod fill_few;
 #[cfg(all(test, feature = "std"))]

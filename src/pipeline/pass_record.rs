@@ -365,6 +365,7 @@ impl<H: Shader> Draw<'_, H> {
         T: Topology<Primitive = [u32; 3]>,
         C: Counter,
     {
+        assembly.face(positions);
         let mut face = Face::NONE;
         while assembly.next(positions, cache.entries, counter, &mut face) {
             let Some(first_row) = first_row(&face.triangle, &assembly.area) else {

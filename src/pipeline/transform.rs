@@ -1,5 +1,8 @@
-use super::Clip;
+use super::facing::facing;
+use super::mapping::Mapping;
+use super::{Clip, CulledWindings};
 use crate::math::{rolled, sum_of_products, whole, Mat4, Vec3, Vec4};
+use crate::scene::{Facing, PlaneScale};
 
 /// What limits the view in depth, and what depth is made of.
 #[derive(Clone, Copy, Debug)]
@@ -151,6 +154,22 @@ impl Transform {
     pub(super) fn sides(&self, position: &[i16; 3]) -> [i32; 3] {
         let [x, y, _, w] = &self.rows;
         [x, y, w].map(|row| transformed(row, position))
+    }
+
+    #[cfg(test)]
+    pub(super) fn rows(&self) -> &[[i32; 4]; 4] {
+        &self.rows
+    }
+
+    /// From where planes of triangles are seen through this.
+    pub(super) fn facing(
+        &self,
+        mapping: &Mapping,
+        culled: CulledWindings,
+        scale: &PlaneScale,
+    ) -> Facing {
+        let [x, y, z, w] = &self.rows;
+        facing([x, y, w], self.has_z.then_some(z), mapping, culled, scale)
     }
 
     /// z of the same.

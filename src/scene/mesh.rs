@@ -1,4 +1,4 @@
-use super::{IndexedList, List, Topology};
+use super::{FacePlanes, IndexedList, List, Topology, WithPlanes};
 use crate::math::Vec3;
 
 /// A mesh in the caller's memory, usually flash: positions, what a shader wants beside them, and
@@ -82,6 +82,12 @@ impl<'a, A, T: Topology> Mesh<'a, A, T> {
     #[must_use]
     pub const fn with_topology<N: Topology>(self, topology: N) -> Mesh<'a, A, N> {
         Mesh { topology, vertices: self.vertices }
+    }
+
+    /// Triangles whose planes are known: culling then looks at few that are not seen.
+    #[must_use]
+    pub const fn with_planes<'p>(self, planes: FacePlanes<'p>) -> Mesh<'a, A, WithPlanes<'p, T>> {
+        Mesh { topology: WithPlanes::new(self.topology, planes), vertices: self.vertices }
     }
 
     /// The box: what one step of a position is in model space, by axis, and where position 0 lies.

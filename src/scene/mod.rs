@@ -12,7 +12,8 @@ pub use mesh::Mesh;
 pub(crate) use mesh::Vertices;
 pub use normal::{normal, Normal};
 pub use topology::{
-    AnyCursor, AnyTopology, Consecutive, FanCursor, Index, IndexedList, Indices, LastProvoking,
-    LineList, LineLoop, LineStrip, LineStripCursor, List, LoopCursor, NumberCursor, Points,
-    RestartIndices, Sequence, Step, StripCursor, Topology, TriangleFan, TriangleStrip,
+    AnyCursor, AnyTopology, Consecutive, FacePlane, FacePlanes, Facing, FanCursor, Index,
+    IndexedList, Indices, LastProvoking, LineList, LineLoop, LineStrip, LineStripCursor, List,
+    LoopCursor, NumberCursor, PlaneCursor, PlaneScale, Points, RestartIndices, Sequence, Step,
+    StripCursor, Topology, TriangleFan, TriangleStrip, WithPlanes,
 };

@@ -30,4 +30,9 @@ impl<I: Copy + Into<u32>> Topology for IndexedList<'_, I> {
     fn count(&self) -> u32 {
         saturated(self.triples.len())
     }
+
+    #[inline(always)]
+    fn skip_to(&self, cursor: &mut u32, number: u32) {
+        *cursor = number;
+    }
 }

@@ -1,4 +1,4 @@
-use super::Topology;
+use super::{Facing, PlaneScale, Topology};
 
 /// The same primitives, where flat shading takes its colour from the last vertex of each: the
 /// default of OpenGL, whereas the first is that of this crate, of Vulkan and of Direct3D.
@@ -24,5 +24,20 @@ impl<T: Topology> Topology for LastProvoking<T> {
     #[inline(always)]
     fn count(&self) -> u32 {
         self.0.count()
+    }
+
+    #[inline(always)]
+    fn face(&mut self, facing: impl FnOnce(&PlaneScale) -> Facing) {
+        self.0.face(facing);
+    }
+
+    #[inline(always)]
+    fn skip_to(&self, cursor: &mut T::Cursor, number: u32) {
+        self.0.skip_to(cursor, number);
+    }
+
+    #[inline(always)]
+    fn left_out_before(&self, cursor: &mut T::Cursor, number: Option<u32>) -> u32 {
+        self.0.left_out_before(cursor, number)
     }
 }

@@ -31,4 +31,9 @@ impl Topology for List {
     fn count(&self) -> u32 {
         self.triangles
     }
+
+    #[inline(always)]
+    fn skip_to(&self, cursor: &mut u32, number: u32) {
+        *cursor = number;
+    }
 }

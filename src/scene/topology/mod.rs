@@ -1,6 +1,7 @@
 //! Which vertices make a primitive.
 
 mod any;
+mod face_planes;
 mod indexed_list;
 mod last_provoking;
 mod line_list;
@@ -13,8 +14,10 @@ mod sequence;
 mod tests;
 mod triangle_fan;
 mod triangle_strip;
+mod with_planes;
 
 pub use any::{AnyCursor, AnyTopology};
+pub use face_planes::{FacePlane, FacePlanes, PlaneScale};
 pub use indexed_list::IndexedList;
 pub use last_provoking::LastProvoking;
 pub use line_list::LineList;
@@ -25,6 +28,7 @@ pub use points::Points;
 pub use sequence::{Consecutive, Index, Indices, NumberCursor, RestartIndices, Sequence, Step};
 pub use triangle_fan::{FanCursor, TriangleFan};
 pub use triangle_strip::{StripCursor, TriangleStrip};
+pub use with_planes::{Facing, PlaneCursor, WithPlanes};
 
 /// Which vertices make the primitives of a mesh: triangles, lines or points.
 ///
@@ -74,6 +78,29 @@ pub trait Topology: Copy {
     /// Strips, fans and loops are walked.
     fn count(&self) -> u32 {
         self.iter().fold(0, |count: u32, _| count.saturating_add(1))
+    }
+
+    /// Leaves out triangles of a draw, as `facing` says of planes with a scale.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn face(&mut self, _facing: impl FnOnce(&PlaneScale) -> Facing) {}
+
+    /// Goes on with primitive `number`, which is not behind the next one.
+    #[doc(hidden)]
+    #[inline]
+    fn skip_to(&self, cursor: &mut Self::Cursor, number: u32) {
+        let mut ahead = *cursor;
+        while self.next::<false>(&mut ahead).is_some_and(|(passed, _)| passed < number) {
+            *cursor = ahead;
+        }
+    }
+
+    /// How many triangles [`next`](Self::next) left out, since they show the side that is, before it came to triangle
+    /// `number` or, if `None`, to the end.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn left_out_before(&self, _cursor: &mut Self::Cursor, _number: Option<u32>) -> u32 {
+        0
     }
 
     /// All primitives, one after the other.

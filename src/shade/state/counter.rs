@@ -50,6 +50,9 @@ pub enum Event {
 
 /// Whether a pass counts: [`Uncounted`] or [`Counting`]; or [`Tracking`] beside it.
 pub trait Counter {
+    /// Whether events are.
+    #[doc(hidden)]
+    const COUNTS: bool = true;
     /// One primitive went this way.
     #[doc(hidden)]
     fn event(&mut self, event: Event);
@@ -67,6 +70,8 @@ pub trait Counter {
 pub struct Uncounted;
 
 impl Counter for Uncounted {
+    const COUNTS: bool = false;
+
     #[inline(always)]
     fn event(&mut self, _event: Event) {}
     #[inline(always)]
@@ -105,6 +110,8 @@ impl Counter for Counting<'_> {
 pub struct Tracking<'a, C>(pub &'a mut Damage, pub C);
 
 impl<C: Counter> Counter for Tracking<'_, C> {
+    const COUNTS: bool = C::COUNTS;
+
     #[inline(always)]
     fn event(&mut self, event: Event) {
         self.1.event(event);

@@ -27,12 +27,12 @@ mod firmware {
     use microraster::math::{Angle, Mat4, Vec3};
     use microraster::texture::{MipMap, MipSampler, Nearest, Repeat, Sampler, Texture};
     use microraster::{
-        Affine, Alpha, AtFragments, BlinnPhong, Camera, Channels, Consecutive, ConstantDepth,
-        DepthBuffer, DepthRange, Dither4, Dither8, Equal, Every, Exact, Flat, Fog, Fogged, Frame,
-        Gouraud, Lambert, Less, Light, LineList, Matcap, Mesh, Midpoint, Multiply, NoDepth, Normal,
-        Off, Pass, Phong, Points, PolygonOffset, ReadOnly, Rectangle, Replace, Rgb, Rgb565, Size,
-        Smooth, Stats, Stencil, StencilBuffer, Stenciled, Stippled, Supersampling, Textured, Thin,
-        TriangleStrip, Undithered, Wide,
+        Affine, Alpha, AtFragments, BlinnPhong, Camera, Channels, Consecutive, ConstantDepth, Cull,
+        DepthBuffer, DepthRange, Dither4, Dither8, Equal, Every, Exact, FacePlane, FacePlanes,
+        Flat, Fog, Fogged, Frame, Gouraud, Lambert, Less, Light, LineList, Matcap, Mesh, Midpoint,
+        Multiply, NoDepth, Normal, Off, Pass, Phong, PlaneScale, Points, PolygonOffset, ReadOnly,
+        Rectangle, Replace, Rgb, Rgb565, Size, Smooth, Stats, Stencil, StencilBuffer, Stenciled,
+        Stippled, Supersampling, Textured, Thin, TriangleStrip, Undithered, Wide,
     };
 
     const SIDE: usize = 64;
@@ -46,6 +46,8 @@ mod firmware {
     static NORMALS: [Normal; 3] = [[0, 0, 127]; 3];
     static PLACES: [((), [i16; 2]); 3] = [((), [0, 0]), ((), [4096, 0]), ((), [0, 4096])];
     static INDICES: [u16; 3] = [0, 1, 2];
+    const SCALE: PlaneScale = PlaneScale::of(&CORNERS, &INDICES);
+    static PLANES: [FacePlane; 1] = SCALE.bake(&CORNERS, &INDICES);
     static TEXELS: [u16; 85] = [0xF800; 85];
 
     /// Draws with the feature of this name, if it is the one.
@@ -116,6 +118,12 @@ mod firmware {
             "flat" => pass().draw(frame, model, &BARE, &flat());
             "gouraud" => pass().draw(frame, model, &COLORED, &Gouraud::colored());
             "indexed" => pass().draw(frame, model, &BARE.indexed(&INDICES), &flat());
+            "planes of triangles" => pass().cull(Cull::Back).draw(
+                frame,
+                model,
+                &BARE.with_planes(FacePlanes::new(&PLANES, SCALE)),
+                &flat()
+            );
             "strip" => pass().draw(
                 frame,
                 model,

@@ -9,7 +9,7 @@ use microraster::{
     ListVertex, Pass, Rgb, Rgb565, Size, Stats, VertexCache,
 };
 
-use super::standard::{bunny, camera, facts, light, Lit, SIZE};
+use super::standard::{bunny, camera, facts, light, LitWithPlanes, SIZE};
 use super::{Facts, Group, Probe, Scene, Stage, CACHED};
 
 /// Vertices and triangles for which there is room: more than half of the bunny.
@@ -78,7 +78,7 @@ fn draw<P: Probe>(
 /// A picture in bands.
 #[derive(Clone, Copy)]
 struct Picture<'a> {
-    mesh: Lit<'a>,
+    mesh: LitWithPlanes<'a>,
     turn: u32,
     rows: u16,
     recorded: bool,

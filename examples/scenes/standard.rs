@@ -11,21 +11,22 @@
 )]
 
 use microraster::math::{Angle, Mat4, Vec3};
-use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_POSITIONS};
+use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_PLANES, TEAPOT_POSITIONS};
 use microraster::raster::ScreenVertex;
 use microraster::{
-    Camera, ConstantDepth, Cull, DepthBuffer, Flat, Frame, FrameError, Gouraud, IndexedList,
-    Lambert, Less, Light, Mesh, Normal, Pass, Rgb, Rgb565, ScreenPass, Shader, Size,
+    Camera, ConstantDepth, Cull, DepthBuffer, FacePlanes, Flat, Frame, FrameError, Gouraud,
+    IndexedList, Lambert, Less, Light, Mesh, Normal, Pass, Rgb, Rgb565, ScreenPass, Shader, Size,
+    Topology, WithPlanes,
 };
 
-use super::{grid, Facts, Group, Probe, Scene, Stage, ROOM};
+use super::{grid, Facts, Group, Model, Probe, Scene, Stage, ROOM};
 
 pub(crate) const SIZE: Size = Size::new(320, 240);
 /// Bytes of an RGB565 picture.
 const BYTES: usize = ROOM * 2;
 
 /// The list.
-pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 11] {
+pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 13] {
     let scene =
         |name, frames, bunny, draw| Scene { name, group: Group::Standard, frames, bunny, draw };
     [
@@ -40,6 +41,8 @@ pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 11] {
         scene("M2-teapot", 16, false, m2_teapot::<P>),
         scene("M1-bunny", 16, true, m1_bunny::<P>),
         scene("M2-bunny", 16, true, m2_bunny::<P>),
+        scene("M1-bunny-no-planes", 16, true, m1_bunny_no_planes::<P>),
+        scene("M2-bunny-no-planes", 16, true, m2_bunny_no_planes::<P>),
     ]
 }
 
@@ -216,15 +219,17 @@ fn s1_raster<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Fac
 
 /// An indexed mesh with normals.
 pub(super) type Lit<'a> = Mesh<'a, Normal, IndexedList<'a, u16>>;
+/// The same with the planes of its triangles.
+pub(super) type LitWithPlanes<'a> = Mesh<'a, Normal, WithPlanes<'a, IndexedList<'a, u16>>>;
 
 /// A lit mesh, centred at z = -3.0178 and turned.
 #[derive(Clone, Copy)]
-struct Turning<'a> {
-    mesh: Lit<'a>,
+struct Turning<'a, T> {
+    mesh: Mesh<'a, Normal, T>,
     frame: u32,
 }
 
-impl Turning<'_> {
+impl<T: Topology<Primitive = [u32; 3]>> Turning<'_, T> {
     fn draw<P, S>(&self, stage: &mut Stage<'_>, probe: &mut P, shader: &S) -> Facts
     where
         P: Probe,
@@ -273,14 +278,18 @@ pub(crate) fn placement(positions: &[[i16; 3]]) -> (Vec3, Vec3) {
     (Vec3::new(scale, scale, scale), Vec3::new(middle(0), middle(1), middle(2)) * -scale)
 }
 
-pub(super) fn bunny<'a>(stage: &Stage<'a>) -> Lit<'a> {
-    stage.bunny.map_or(Mesh::new(&[], &[]).indexed(&[]), |model| {
-        fitted(model.positions, model.normals, model.indices)
-    })
+fn bunny_without_planes<'a>(stage: &Stage<'a>) -> Lit<'a> {
+    let Model { positions, normals, indices, .. } = stage.bunny.unwrap_or(Model::EMPTY);
+    fitted(positions, normals, indices)
 }
 
-fn teapot() -> Lit<'static> {
-    fitted(&TEAPOT_POSITIONS, &TEAPOT_NORMALS, &TEAPOT_INDICES)
+pub(super) fn bunny<'a>(stage: &Stage<'a>) -> LitWithPlanes<'a> {
+    let Model { planes, plane_scale, .. } = stage.bunny.unwrap_or(Model::EMPTY);
+    bunny_without_planes(stage).with_planes(FacePlanes::new(planes, plane_scale))
+}
+
+fn teapot() -> LitWithPlanes<'static> {
+    fitted(&TEAPOT_POSITIONS, &TEAPOT_NORMALS, &TEAPOT_INDICES).with_planes(TEAPOT_PLANES)
 }
 
 fn m1_teapot<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
@@ -298,5 +307,15 @@ fn m1_bunny<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts
 
 fn m2_bunny<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
     let mesh = bunny(stage);
+    Turning { mesh, frame }.draw(stage, probe, &Flat::new(light()))
+}
+
+fn m1_bunny_no_planes<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
+    let mesh = bunny_without_planes(stage);
+    Turning { mesh, frame }.draw(stage, probe, &Gouraud::new(light()))
+}
+
+fn m2_bunny_no_planes<P: Probe>(stage: &mut Stage<'_>, frame: u32, probe: &mut P) -> Facts {
+    let mesh = bunny_without_planes(stage);
     Turning { mesh, frame }.draw(stage, probe, &Flat::new(light()))
 }

@@ -6,11 +6,11 @@ use std::cell::RefCell;
 use microraster::host::ParallelBands;
 use microraster::math::Mat4;
 use microraster::{
-    Color, Cull, DisplayList, Flat, Gouraud, IndexedList, Less, ListTriangle, ListVertex, Mesh,
-    Normal, Pass, Recording, Rgb565, Shader, Varying, VertexCache,
+    Color, Cull, DisplayList, Flat, Gouraud, Less, ListTriangle, ListVertex, Normal, Pass,
+    Recording, Rgb565, Shader, Varying, VertexCache,
 };
 
-use crate::renderers::microraster::{ready, Cache, Drawing, Ready};
+use crate::renderers::microraster::{ready, Cache, Drawing, Lit, Ready};
 use crate::renderers::Renderer;
 use crate::scene::{Rgb, Scene, Size};
 
@@ -87,7 +87,7 @@ impl Renderer for Threaded {
 /// Records a part of a lit mesh.
 fn recorded<'a, H>(
     Part { vertices, triangles, cache }: &'a mut Part,
-    mesh: &Mesh<'_, Normal, IndexedList<'_, u16>>,
+    mesh: &Lit<'_>,
     size: microraster::Size,
     model: &Mat4,
     shader: &'a H,
@@ -113,11 +113,9 @@ where
     let (size, model) = (*size, drawing.model(number));
     let Some((mesh, ..)) = drawing.lit() else { return };
     let mut recordings: Vec<Option<Recording<'_, H>>> = parts.iter().map(|_| None).collect();
-    let triangles = drawing.indices().len() / 3;
-    let indices = drawing.indices().chunks(3 * triangles.div_ceil(parts.len()).max(1));
+    let meshes = drawing.parts(&mesh, parts.len());
     let model = &model;
     rayon::in_place_scope(|scope| {
-        let meshes = indices.map(|indices| mesh.indexed(indices));
         let mut work = recordings.iter_mut().zip(parts).zip(meshes);
         let first = work.next();
         for ((place, part), mesh) in work {

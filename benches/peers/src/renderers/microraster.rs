@@ -7,8 +7,9 @@ use alloc::vec::Vec;
 use microraster::math::{Angle, Mat4, Vec3};
 use microraster::texture::{Sampler, Texture, TextureError};
 use microraster::{
-    normal, Camera, Color, ConstantAlpha, Cull, DepthBuffer, Flat, Frame, Gouraud, IndexedList,
-    Lambert, Less, Light, Mesh, Normal, Pass, Rgb as Channels, Rgb565, Textured, VertexCache,
+    normal, Camera, Color, ConstantAlpha, Cull, DepthBuffer, FacePlane, FacePlanes, Flat, Frame,
+    Gouraud, IndexedList, Lambert, Less, Light, Mesh, Normal, Pass, PlaneScale, Rgb as Channels,
+    Rgb565, Textured, VertexCache, WithPlanes,
 };
 
 use super::Renderer;
@@ -26,6 +27,9 @@ enum Attributes {
     Glass(Channels, u8),
 }
 
+/// A lit mesh, culled by the planes of its triangles.
+pub(crate) type Lit<'a> = Mesh<'a, Normal, WithPlanes<'a, IndexedList<'a, u16>>>;
+
 /// A scene in this crate's form.
 pub(crate) struct Drawing {
     scene: Scene,
@@ -34,6 +38,8 @@ pub(crate) struct Drawing {
     scale: Vec3,
     offset: Vec3,
     attributes: Attributes,
+    planes: Vec<FacePlane>,
+    plane_scale: PlaneScale,
     /// Nothing for the mesh without attributes.
     nothing: Vec<()>,
 }
@@ -99,9 +105,17 @@ pub(crate) fn ready(scene: &Scene, size: Size) -> Ready {
         }
         Shading::Glass(color, opacity) => Attributes::Glass(channels(*color), *opacity),
     };
+    let positions: Vec<_> = scene.positions.iter().map(quantised).collect();
+    let indices: Vec<_> = scene.triangles.iter().flatten().map(|&index| index as u16).collect();
+    let plane_scale = PlaneScale::of(&positions, &indices);
+    let corners = |triangle: &[u16; 3]| triangle.map(|index| positions[usize::from(index)]);
+    let planes = indices.as_chunks().0.iter();
+    let planes = planes.map(|triangle| plane_scale.plane(corners(triangle))).collect();
     let drawing = Drawing {
-        positions: scene.positions.iter().map(quantised).collect(),
-        indices: scene.triangles.iter().flatten().map(|&index| index as u16).collect(),
+        positions,
+        indices,
+        planes,
+        plane_scale,
         scale: Vec3::new(step(0), step(1), step(2)),
         offset: Vec3::new(middle(0), middle(1), middle(2)),
         attributes,
@@ -141,13 +155,22 @@ impl Drawing {
         Mat4 { x, y, z, w }
     }
 
-    /// The vertices of all triangles.
-    pub(crate) fn indices(&self) -> &[u16] {
-        &self.indices
+    /// The triangles of a lit mesh in so many parts.
+    pub(crate) fn parts<'a>(
+        &'a self,
+        mesh: &Lit<'a>,
+        parts: usize,
+    ) -> impl Iterator<Item = Lit<'a>> {
+        let (mesh, scale) = (*mesh, self.plane_scale);
+        let triangles = self.planes.len().div_ceil(parts).max(1);
+        let parts = self.indices.chunks(3 * triangles).zip(self.planes.chunks(triangles));
+        parts.map(move |(indices, planes)| {
+            mesh.indexed(indices).with_planes(FacePlanes::new(planes, scale))
+        })
     }
 
     /// A lit mesh, its light, and whether it is smooth.
-    pub(crate) fn lit(&self) -> Option<(Mesh<'_, Normal, IndexedList<'_, u16>>, Lambert<1>, bool)> {
+    pub(crate) fn lit(&self) -> Option<(Lit<'_>, Lambert<1>, bool)> {
         let Attributes::Lit { normals, smooth } = &self.attributes else { return None };
         let grey = |part: f32| {
             let level = (part * 255.0) as u8;
@@ -159,7 +182,8 @@ impl Drawing {
             Lambert::new(&[sun]).ambient(grey(scene::AMBIENT)).material(channels(scene::MATERIAL));
         let mesh = Mesh::new(&self.positions, normals)
             .indexed(&self.indices)
-            .placed(self.scale, self.offset);
+            .placed(self.scale, self.offset)
+            .with_planes(FacePlanes::new(&self.planes, self.plane_scale));
         Some((mesh, light, *smooth))
     }
 

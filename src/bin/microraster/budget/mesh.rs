@@ -51,6 +51,8 @@ impl Prepared {
             words.extend(mesh_file::words(&MeshFile {
                 positions: &part.positions,
                 normals: &part.normals,
+                planes: &[],
+                plane_scale: MeshFile::NO_PLANES,
                 indices: &part.indices,
                 scale,
                 offset: [0.0; 3],

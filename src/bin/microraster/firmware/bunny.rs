@@ -3,6 +3,7 @@
 
 use super::mesh_file;
 use super::scenes::Model;
+use microraster::PlaneScale;
 use std::path::{Path, PathBuf};
 
 /// Where the bunny lies in the folder of models.
@@ -57,8 +58,19 @@ pub(crate) fn convert(file: &Path) -> Result<Vec<u32>, String> {
         .iter()
         .map(|normal| normal.map(|value| step(value * 127.0).to_le_bytes()[0].cast_signed()))
         .collect();
-    let model =
-        Model { positions: &positions, normals: &normals, indices: &indices, scale, offset };
+    let plane_scale = PlaneScale::of(&positions, &indices);
+    let corners = |three: &[u16; 3]| three.map(|index| positions[usize::from(index)]);
+    let planes: Vec<_> =
+        indices.as_chunks().0.iter().map(|three| plane_scale.plane(corners(three))).collect();
+    let model = Model {
+        planes: &planes,
+        plane_scale,
+        positions: &positions,
+        normals: &normals,
+        indices: &indices,
+        scale,
+        offset,
+    };
     Ok(mesh_file::words(&model))
 }
 

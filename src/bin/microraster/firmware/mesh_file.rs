@@ -37,6 +37,11 @@ pub(crate) fn words(model: &Model<'_>) -> Vec<u32> {
     for index in model.indices {
         bytes.extend(index.to_le_bytes());
     }
+    let [x, y, z] = model.plane_scale.reach;
+    for value in [model.plane_scale.radius, x, y, z] {
+        bytes.extend(value.to_le_bytes());
+    }
+    bytes.extend(model.planes.as_flattened());
     for value in model.normals.iter().flatten() {
         bytes.extend(value.to_le_bytes());
     }

@@ -202,7 +202,7 @@ fn symbols(elf: &Elf) {
 }
 
 /// What is weighed one at a time, as `examples/size_feature.rs` names it.
-const FEATURES: [&str; 37] = [
+const FEATURES: [&str; 38] = [
     "depth",
     "constant depth",
     "read-only depth",
@@ -229,6 +229,7 @@ const FEATURES: [&str; 37] = [
     "dither 8x8",
     "colour mask",
     "indexed",
+    "planes of triangles",
     "strip",
     "lines",
     "midpoint lines",
@@ -243,7 +244,7 @@ const FEATURES: [&str; 37] = [
 ];
 
 /// Parts of names that belong to one feature or another: flat triangles contain none of them.
-const FOREIGN: [&str; 16] = [
+const FOREIGN: [&str; 17] = [
     "texture",
     "lighting",
     "fog",
@@ -259,6 +260,7 @@ const FOREIGN: [&str; 16] = [
     "::point",
     "resolve",
     "smooth_color",
+    "facing",
     "counter",
 ];
 

@@ -1,5 +1,5 @@
 use super::leading_zeros::leading_zeros;
-use super::wide::{mul_high_31, mul_short};
+use super::wide::{low_of_high, mul_short};
 
 /// One over an integer: 1 / n is about `mantissa` / 2^`shift`.
 ///
@@ -78,7 +78,7 @@ pub(crate) fn inlined_reciprocal_of_some(n: u32) -> Reciprocal {
     let estimate = (seed << 15).wrapping_add(correction.cast_unsigned());
 
     // Second step. The error 2^30 (1 - f x) has 16 bits, as going through all normal numbers shows.
-    let error = (1u32 << 30).wrapping_sub(mul_high_31(normal, estimate));
+    let error = 0_u32.wrapping_sub(low_of_high(normal, estimate));
     let correction = mul_short(estimate >> 1, error as i16) >> 13;
     let mantissa = estimate.wrapping_add(correction.cast_unsigned());
 

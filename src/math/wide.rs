@@ -42,6 +42,25 @@ pub(crate) const fn mul_high_31(a: u32, b: u32) -> u32 {
     }
 }
 
+/// The lower 16 of the upper 32 bits of a product, by halves; what is above them is not its own.
+#[inline(always)]
+const fn low_of_high_by_halves(a: u32, b: u32) -> u32 {
+    let (al, ah, bl, bh) = (a & 0xFFFF, a >> 16, b & 0xFFFF, b >> 16);
+    // What the sum loses is above those bits.
+    let middle = ((al * bl) >> 16).wrapping_add(ah * bl).wrapping_add(al * bh);
+    (ah * bh).wrapping_add(middle >> 16)
+}
+
+/// The lower 16 of the upper 32 bits of a product; what is above them may be anything.
+#[inline(always)]
+pub(crate) const fn low_of_high(a: u32, b: u32) -> u32 {
+    if BY_HALVES {
+        low_of_high_by_halves(a, b)
+    } else {
+        ((a as u64 * b as u64) >> 32) as u32
+    }
+}
+
 /// The same of two numbers below 2^31, by halves: no sum overflows.
 #[inline(always)]
 const fn high_of_31_bits_by_halves(a: u32, b: u32) -> u32 {
@@ -234,6 +253,9 @@ mod tests {
             let exact = u64::from(a) * u64::from(b);
             let (high, low) = by_halves(a, b);
             assert_eq!(u64::from(high) << 32 | u64::from(low), exact, "{a:x} x {b:x}");
+            let low = low_of_high_by_halves(a, b) & 0xFFFF;
+            assert_eq!(low, high & 0xFFFF, "{a:x} x {b:x}");
+            assert_eq!(low_of_high(a, b) & 0xFFFF, low, "{a:x} x {b:x}");
             let (signed, half) = (a.cast_signed(), b >> 1);
             let exact = i64::from(signed) * i64::from(half);
             let high = by_halves(a, half).0.cast_signed();

@@ -1,18 +1,47 @@
 use super::BY_HALVES;
 
+/// A number of zeros in a byte. As the compiler knows the range, a shift by it needs no mask.
+#[derive(Clone, Copy)]
+#[repr(u8)]
+enum Zeros {
+    None,
+    One,
+    Two,
+    Three,
+    Four,
+    Five,
+    Six,
+    Seven,
+    All,
+}
+
 /// Leading zeros of a byte.
-#[allow(clippy::cast_possible_truncation, reason = "at most 8")]
-static ZEROS: [u8; 256] = {
-    let mut zeros = [0; 256];
-    let mut byte = 0_u8;
+static ZEROS: [Zeros; 256] = {
+    let mut zeros = [Zeros::All; 256];
+    let mut byte = 1_u8;
     loop {
-        zeros[byte as usize] = byte.leading_zeros() as u8;
+        zeros[byte as usize] = match byte.leading_zeros() {
+            0 => Zeros::None,
+            1 => Zeros::One,
+            2 => Zeros::Two,
+            3 => Zeros::Three,
+            4 => Zeros::Four,
+            5 => Zeros::Five,
+            6 => Zeros::Six,
+            _ => Zeros::Seven,
+        };
         if byte == u8::MAX {
             break zeros;
         }
         byte += 1;
     }
 };
+
+/// The zeros above the highest bit of a byte.
+#[inline(always)]
+pub(crate) fn zeros_of_byte(byte: u32) -> u32 {
+    ZEROS[(byte & 0xFF) as usize] as u32
+}
 
 /// The zeros above the highest bit that is set.
 ///
@@ -36,7 +65,7 @@ fn by_table(n: u32) -> u32 {
         0x0000_0100.. => (n >> 8, 16),
         _ => (n, 24),
     };
-    u32::from(ZEROS[(byte & 0xFF) as usize]).wrapping_add(above)
+    zeros_of_byte(byte).wrapping_add(above)
 }
 
 #[cfg(test)]

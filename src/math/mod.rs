@@ -56,10 +56,10 @@ pub(crate) const fn rare() {}
 pub use angle::Angle;
 pub use angle_units::AngleUnits;
 pub use inverse_sqrt::{inverse_sqrt, InverseSqrt};
-pub(crate) use leading_zeros::leading_zeros;
+pub(crate) use leading_zeros::{leading_zeros, zeros_of_byte};
 pub(crate) use mat4::sum_of_products;
 pub use mat4::Mat4;
-pub(crate) use reciprocal::{inlined_reciprocal_of_some, reciprocal_of_some};
+pub(crate) use reciprocal::{inlined_reciprocal_of_some, mantissa_of, reciprocal_of_some};
 pub use reciprocal::{reciprocal, Reciprocal};
 pub use sqrt::sqrt;
 pub use vec2::Vec2;
@@ -68,5 +68,5 @@ pub use vec4::Vec4;
 pub(crate) use whole::whole;
 pub(crate) use wide::{
     half_factor, in_parts, mul_high_30, mul_high_31, mul_high_both_31, mul_high_positive,
-    mul_high_signed, weight, weighted_sum, weighted_sum_of_parts, BY_HALVES,
+    mul_high_signed, weight, weighted_sum, weighted_sum_of_parts, BY_HALVES, HALVES_MULTIPLY,
 };

@@ -63,12 +63,17 @@ pub(crate) fn reciprocal_of_some(n: u32) -> Reciprocal {
 
 /// The same in place: for what is done once a triangle, and not much longer than the call.
 #[inline(always)]
-#[allow(clippy::cast_possible_truncation, reason = "an error of 16 bits")]
 pub(crate) fn inlined_reciprocal_of_some(n: u32) -> Reciprocal {
     let leading_zeros = leading_zeros(n);
-    // f = normal / 2^32, in [1/2, 1).
-    let normal = n.wrapping_shl(leading_zeros);
+    let mantissa = mantissa_of(n.wrapping_shl(leading_zeros));
+    Reciprocal { mantissa, shift: 62u32.wrapping_sub(leading_zeros) }
+}
 
+/// The mantissa of the reciprocal of a number whose uppermost bit is set.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "an error of 16 bits")]
+pub(crate) fn mantissa_of(normal: u32) -> u32 {
+    // f = normal / 2^32, in [1/2, 1).
     // The seed, 2^15 / f with nine good bits.
     let seed = u32::from(SEEDS[((normal >> 24) & 127) as usize]);
 
@@ -80,10 +85,8 @@ pub(crate) fn inlined_reciprocal_of_some(n: u32) -> Reciprocal {
     // Second step. The error 2^30 (1 - f x) has 16 bits, as going through all normal numbers shows.
     let error = 0_u32.wrapping_sub(low_of_high(normal, estimate));
     let correction = mul_short(estimate >> 1, error as i16) >> 13;
-    let mantissa = estimate.wrapping_add(correction.cast_unsigned());
-
     // In range for all 2^31 normal numbers, as going through them shows.
-    Reciprocal { mantissa, shift: 62u32.wrapping_sub(leading_zeros) }
+    estimate.wrapping_add(correction.cast_unsigned())
 }
 
 #[cfg(test)]

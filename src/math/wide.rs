@@ -7,6 +7,10 @@
 /// compare-and-swap, by which it is told here.
 pub(crate) const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
+/// Whether halves of words are factors of one instruction, and upper words of signed products are
+/// added to others by one.
+pub(crate) const HALVES_MULTIPLY: bool = cfg!(target_arch = "arm") && !BY_HALVES;
+
 /// The product of two numbers by their 16-bit halves: high and low word.
 #[inline(always)]
 const fn by_halves(a: u32, b: u32) -> (u32, u32) {

@@ -3,9 +3,10 @@ use crate::color::Format;
 use crate::frame::{DepthAccess, Rect, Supplies, Target, Window};
 use crate::math::BY_HALVES;
 use crate::raster::{
-    Few, Gradients, Limits, Plane, ScreenVertex, Span, SpanBatch, SpanWalk, Traversal, Triangle,
+    Few, Gradients, Limits, Plane, ScreenVertex, SmallGradients, Span, SpanBatch, SpanWalk,
+    Traversal, Triangle,
 };
-use crate::shade::{ColorOutput, Corner, DepthTest, Fragments, Row, State, Varying};
+use crate::shade::{ColorOutput, Corner, DepthTest, Fragments, Ready, Row, State, Varying};
 
 /// How a state touches depth.
 pub(crate) type Access<S> = <<S as State>::Depth as DepthTest>::Access;
@@ -83,22 +84,23 @@ pub(super) fn depth_plane(gradients: &Gradients, triangle: &Triangle) -> Plane {
 /// The same where nothing else is interpolated: a triangle of one depth needs no gradients.
 #[inline(never)]
 pub(super) fn lone_depth_plane(triangle: &Triangle) -> Plane {
-    level_depth_plane(triangle).unwrap_or_else(|| {
-        let (first, to_second, to_third) = triangle.depth_codes();
-        // Where only this is drawn, there is no other copy of the gradients.
-        Gradients::inlined(triangle).inlined_plane(first, to_second, to_third)
-    })
+    let (first, to_second, to_third) = triangle.depth_codes();
+    if to_second | to_third == 0 {
+        return Plane { origin: first, dx: 0, dy: 0 };
+    }
+    let Some(gradients) = SmallGradients::of::<BY_HALVES>(triangle) else {
+        return any_depth_plane(triangle);
+    };
+    gradients.plane(first, to_second, to_third)
 }
 
-/// The same of a triangle of one depth.
-#[inline(always)]
-fn level_depth_plane(triangle: &Triangle) -> Option<Plane> {
-    let [a, b, c] = &triangle.v;
-    (a.z == b.z && a.z == c.z).then(|| Plane {
-        origin: u32::from(a.z) << 16 | 0x8000,
-        dx: 0,
-        dy: 0,
-    })
+/// The same of triangles that are not small.
+#[cold]
+#[inline(never)]
+fn any_depth_plane(triangle: &Triangle) -> Plane {
+    let (first, to_second, to_third) = triangle.depth_codes();
+    // Where only this is drawn, there is no other copy of the gradients.
+    Gradients::inlined(triangle).inlined_plane(first, to_second, to_third)
 }
 
 /// The plane of a triangle that has the mean of its corners' codes everywhere.
@@ -260,14 +262,19 @@ impl<V: Varying> Fill<'_, V> {
         let depth = state.parts().0;
         let at_once = <Access<S>>::HAS_DEPTH && !depth.is_constant() && !depth.maps();
         let in_pieces;
-        let mut ready: Ready<V>;
+        let (mut at_once_made, mut made);
+        let ready;
         if at_once && V::AT_ONCE {
-            // Made in place.
-            ready = if H::COLOR_AS_IS && state.parts().1.dims() {
-                Ready { set: V::at_once(self.triangle, &self.corners.each_ref().map(V::dim::<F>)) }
+            at_once_made = None;
+            if H::COLOR_AS_IS && state.parts().1.dims() {
+                let corners = self.corners.each_ref().map(V::dim::<F>);
+                V::at_once(self.triangle, &corners, &mut at_once_made);
             } else {
-                Ready { set: V::at_once(self.triangle, self.corners) }
-            };
+                V::at_once(self.triangle, self.corners, &mut at_once_made);
+            }
+            // Always made.
+            let Some(set) = &mut at_once_made else { return };
+            ready = set;
             if MOVES {
                 Self::offset(&mut ready.set.1, self.triangle, state.parts().0);
             }
@@ -284,7 +291,8 @@ impl<V: Varying> Fill<'_, V> {
             in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
             let set =
                 planes::<V, H, S, F>(&gradients, self.corners, self.provoking, in_pieces, state);
-            ready = Ready { set: (set, z_plane) };
+            made = Ready { set: (set, z_plane) };
+            ready = &mut made;
         }
         match &mut *target {
             Target::Whole(window) if !in_pieces => loop {
@@ -301,12 +309,6 @@ impl<V: Varying> Fill<'_, V> {
             _ => {}
         }
     }
-}
-
-/// A triangle's planes, ready for its spans.
-struct Ready<V: Varying> {
-    /// Of what is interpolated, and of depth.
-    set: (V::Planes, Plane),
 }
 
 impl<V: Varying> Ready<V> {

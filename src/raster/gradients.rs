@@ -1,7 +1,7 @@
 use super::{Plane, Triangle};
 use crate::math::{
-    in_parts, inlined_reciprocal_of_some, leading_zeros, mul_high_signed, reciprocal, weight,
-    weighted_sum, weighted_sum_of_parts, BY_HALVES,
+    inlined_reciprocal_of_some, leading_zeros, mul_high_signed, reciprocal, weight, weighted_sum,
+    BY_HALVES,
 };
 
 /// What the attribute planes of one triangle share: its sides and the reciprocal of its area.
@@ -54,30 +54,21 @@ struct Exact {
 /// Sides up to here (1024 pixels, in subpixels) may have weights.
 const SHORT_SIDE: u32 = 1 << 14;
 /// The least twice area that weights are made for, as a power of two of the longest side's square.
-const THICK: u32 = 5;
-
-/// Triangles are small whose sides from the first corner are shorter than this (64 pixels, in
-/// subpixels), and whose twice area is below that: their weights have the scale that their sides have
-/// room for, with no need to ask what the slopes have room for.
-///
-/// Sides of 32 - n bits have an area below 2^(65 - 2n), and so 2n - 33 zeros above it at least; with six
-/// more that is n - 4 where n is 23 or more. With 22 the area must have 12.
-pub(crate) const SMALL_SIDE: u32 = 1 << 10;
-const SMALL_AREA: u32 = 1 << 20;
+pub(super) const THICK: u32 = 5;
 
 /// The sides from the first corner, in subpixels.
-struct Sides {
-    x1: i32,
-    y1: i32,
-    x2: i32,
-    y2: i32,
+pub(super) struct Sides {
+    pub(super) x1: i32,
+    pub(super) y1: i32,
+    pub(super) x2: i32,
+    pub(super) y2: i32,
     /// As many bits as the longest has.
-    longest: u32,
+    pub(super) longest: u32,
 }
 
 impl Sides {
     #[inline(always)]
-    fn of(triangle: &Triangle) -> Self {
+    pub(super) fn of(triangle: &Triangle) -> Self {
         let [a, b, c] = &triangle.v;
         let (x1, y1) = (b.x_bits().wrapping_sub(a.x_bits()), b.y_bits().wrapping_sub(a.y_bits()));
         let (x2, y2) = (c.x_bits().wrapping_sub(a.x_bits()), c.y_bits().wrapping_sub(a.y_bits()));
@@ -93,7 +84,7 @@ impl Sides {
 /// `side` must have no more than 14 bits, `zeros` is the number of zeros above those of the longest
 /// side, and `room` is below that.
 #[inline(always)]
-const fn high_of_short(side: i32, zeros: u32, room: u32, mantissa: u32) -> i32 {
+pub(super) const fn high_of_short(side: i32, zeros: u32, room: u32, mantissa: u32) -> i32 {
     // 15 bits and the sign, times halves of 15 and 16.
     let side = side.wrapping_shl(zeros.wrapping_sub(17));
     let (high, low) = ((mantissa >> 16).cast_signed(), (mantissa & 0xFFFF).cast_signed());
@@ -148,28 +139,15 @@ impl Gradients {
 
     /// The same of any other triangle.
     #[inline(always)]
-    fn weighted(triangle: &Triangle) -> Option<Self> {
-        Self::weighted_below(triangle, SHORT_SIDE)
-    }
-
-    /// The same of a triangle whose sides from the first corner are shorter than `limit` along either
-    /// axis, in subpixels: no more than 1024 pixels. The limit should be a power of two; one of
-    /// [`SMALL_SIDE`] leaves out what is not small.
-    #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "areas of short sides fit")]
-    pub(crate) fn weighted_below(triangle: &Triangle, limit: u32) -> Option<Self> {
+    fn weighted(triangle: &Triangle) -> Option<Self> {
         let Sides { x1, y1, x2, y2, longest } = Sides::of(triangle);
         let [a, ..] = &triangle.v;
         let to_center_x = 8_i32.wrapping_sub(a.x_bits() & 15);
         let to_center_y = 8_i32.wrapping_sub(a.y_bits() & 15);
         let (pixel_x, pixel_y) = (a.x_bits() >> 4, a.y_bits() >> 4);
         let area = triangle.area as u32;
-        // Of products of 64 bits the shift is part: there the room costs no more than the question.
-        let is_small = BY_HALVES && limit <= SMALL_SIDE;
-        if longest < limit
-            && !(is_small && area >= SMALL_AREA)
-            && area >= longest.wrapping_mul(longest) >> THICK
-        {
+        if longest < SHORT_SIDE && area >= longest.wrapping_mul(longest) >> THICK {
             // Never zero: a triangle is made with an area.
             let reciprocal = inlined_reciprocal_of_some(area);
             // Sides at most 2^28, so that weights are at most 2^27; side / area is
@@ -177,8 +155,7 @@ impl Gradients {
             // pixels of 16 subpixels, which leaves a shift that is never to the right.
             let scale = 68_u32.wrapping_sub(reciprocal.shift);
             let zeros = leading_zeros(longest);
-            let most = zeros.wrapping_sub(4);
-            let room = if is_small { most } else { most.min(scale) };
+            let room = zeros.wrapping_sub(4).min(scale);
             let of = |side: i32| {
                 if BY_HALVES {
                     high_of_short(side, zeros, room, reciprocal.mantissa)
@@ -269,21 +246,6 @@ impl Gradients {
         Slopes { dx: sum(self.column), dy: sum(self.row), to_center: sum(self.center) }
     }
 
-    /// The weights in parts, on cores without long products, where they are
-    /// [not exact](Self::are_exact).
-    #[inline(always)]
-    pub(crate) const fn parts(&self) -> WeightParts {
-        let [[p, q], [r, s], [t, u]] = [self.column, self.row, self.center];
-        WeightParts { column: in_parts(p, q), row: in_parts(r, s), center: in_parts(t, u) }
-    }
-
-    /// The same as [`weighted_slopes`](Self::weighted_slopes) by [parts](Self::parts) of the weights.
-    #[inline(always)]
-    pub(crate) fn slopes_by_parts(&self, parts: &WeightParts, d1: i32, d2: i32) -> Slopes {
-        let sum = |parts| weighted_sum_of_parts(d1, d2, parts).wrapping_shl(self.up);
-        Slopes { dx: sum(parts.column), dy: sum(parts.row), to_center: sum(parts.center) }
-    }
-
     /// Whether the triangle is too large or too thin for weights.
     #[inline(always)]
     pub(crate) const fn are_exact(&self) -> bool {
@@ -291,16 +253,8 @@ impl Gradients {
     }
 }
 
-/// The weights of [`Gradients`] as cores without long products multiply by them.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct WeightParts {
-    column: [i32; 4],
-    row: [i32; 4],
-    center: [i32; 4],
-}
-
 /// The slopes of an attribute, 16.16, modulo 2^32.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Slopes {
     /// The step to the next column.
     pub(crate) dx: i32,
@@ -387,26 +341,6 @@ fn scaled_wide(numerator: i64, mantissa: u32, shift: u32) -> i32 {
 mod tests {
     use super::*;
     use crate::math::hard_numbers::Random;
-
-    #[test]
-    fn small_triangles_have_the_scale_that_their_sides_have_room_for() {
-        for bits in 1..=SMALL_SIDE.trailing_zeros() {
-            let zeros = 32 - bits;
-            let ends = [-(1_i32 << bits), 1 - (1 << bits), (1 << bits) - 1];
-            for (x1, y2) in ends.iter().flat_map(|x| ends.map(|y| (*x, y))) {
-                for (x2, y1) in ends.iter().flat_map(|x| ends.map(|y| (*x, y))) {
-                    let area = x1 * y2 - x2 * y1;
-                    if (1..SMALL_AREA.cast_signed()).contains(&area) {
-                        let scale = 6 + area.leading_zeros();
-                        assert!(scale >= zeros - 4, "{x1}, {y1}, {x2}, {y2}");
-                    }
-                }
-            }
-            // The least scale there is.
-            let most = (SMALL_AREA - 1).min((2 << (2 * bits)) - 1);
-            assert!(6 + most.leading_zeros() >= zeros - 4, "{bits}");
-        }
-    }
 
     #[test]
     fn numerators_are_scaled_twice_as_they_are_once() {

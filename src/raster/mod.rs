@@ -24,6 +24,7 @@ mod plane;
 mod point;
 mod screen_vertex;
 mod short_edge;
+mod small_gradients;
 mod spans;
 #[cfg(feature = "std")]
 mod traversal;
@@ -42,6 +43,7 @@ pub use plane::Plane;
 pub use point::PointSquare;
 pub(crate) use screen_vertex::Point;
 pub use screen_vertex::{ScreenVertex, GUARD, SUBPIXELS};
+pub(crate) use small_gradients::{SmallGradients, SMALL_SIDE};
 pub(crate) use spans::first_center;
 pub use spans::Spans;
 #[cfg(feature = "std")]

@@ -76,5 +76,7 @@ pub use state::{
 pub use textured::Textured;
 pub use unlit::Unlit;
 pub use uv::{Uv, UvBase, UvPlanes, UvStep};
+#[doc(hidden)]
+pub use varying::Ready;
 pub use varying::{Corner, Stepped, Varying};
 pub use vertex_colors::VertexColors;

@@ -1,8 +1,12 @@
+use core::sync::atomic::{compiler_fence, Ordering};
+
 use super::flat_color::mix_color;
-use super::{Interpolated, Stepped, Varying};
+use super::{Interpolated, Ready, Stepped, Varying};
 use crate::color::{Color, Format};
-use crate::math::BY_HALVES;
-use crate::raster::{Gradients, Plane, PointSquare, Slopes, Span, Triangle};
+use crate::math::{BY_HALVES, HALVES_MULTIPLY};
+use crate::raster::{
+    Gradients, Plane, PointSquare, Slopes, SmallGradients, Span, Triangle, SMALL_SIDE,
+};
 
 /// A colour interpolated over the triangle, linear on the screen (Gouraud).
 ///
@@ -32,7 +36,7 @@ pub struct SmoothColorPlanes {
 impl SmoothColor {
     /// Pixels over which blue and red are good in one word.
     const PIXELS: i32 = 128;
-    /// Sides from here on, in subpixels, are drawn in pieces.
+    /// Sides from here on, in subpixels, are drawn in pieces: none of a small triangle's.
     const REACH: u32 = (Self::PIXELS / 2).cast_unsigned() * 16;
 
     /// Of its words, whatever they are.
@@ -52,6 +56,8 @@ impl SmoothColor {
 // neighbour may lend, and one for the planes' own error must stay below the half step (128 units)
 // that the corners are raised by.
 const _: () = assert!((SmoothColor::PIXELS - 1) / 2 + 3 < 128, "packed channels stay in range");
+
+const _: () = assert!(SMALL_SIDE <= SmoothColor::REACH, "small triangles are in one piece");
 
 /// Blue and red of 8.24, modulo 2^32, as 8.8 in one word.
 #[inline(always)]
@@ -107,8 +113,8 @@ impl Varying for SmoothColor {
     const AT_ONCE: bool = true;
 
     #[inline(always)]
-    fn at_once(triangle: &Triangle, corners: &[Color; 3]) -> (SmoothColorPlanes, Plane) {
-        smooth_planes_at_once(triangle, corners)
+    fn at_once(triangle: &Triangle, corners: &[Color; 3], made: &mut Option<Ready<Self>>) {
+        smooth_planes_at_once(triangle, corners, made);
     }
 
     #[inline(always)]
@@ -192,39 +198,170 @@ impl Interpolated for SmoothColor {
     }
 }
 
-/// Colour and depth of a triangle, in one copy for every shader that interpolates nothing else:
-/// gradients stay in registers.
+/// Colour and depth of a triangle, in one copy for every shader that interpolates nothing else.
 ///
 /// # Cost
-/// Some 235 instructions on Cortex-M4, where set-up, depth and colour apart take 280; more for
+/// Some 210 instructions on Cortex-M4, where set-up, depth and colour apart take 280; more for
 /// a triangle that is too thin for weights or drawn in pieces.
 #[inline(never)]
-fn smooth_planes_at_once(triangle: &Triangle, corners: &[Color; 3]) -> (SmoothColorPlanes, Plane) {
+fn smooth_planes_at_once(
+    triangle: &Triangle,
+    corners: &[Color; 3],
+    made: &mut Option<Ready<SmoothColor>>,
+) {
     // In one piece.
-    let Some(gradients) = Gradients::weighted_below(triangle, SmoothColor::REACH) else {
-        return any_planes_at_once(triangle, corners);
+    let Some(gradients) = SmallGradients::of::<BY_HALVES>(triangle) else {
+        *made = Some(Ready { set: any_planes_at_once(triangle, corners) });
+        return;
     };
-    // In memory, where a factor is loaded for each product, which takes its place: a weight that
-    // stays in a register is copied there first.
-    let mut parts = gradients.parts();
     if BY_HALVES {
-        core::hint::black_box(&mut parts);
+        make_by_parts(&gradients, triangle, corners, made);
+    } else {
+        make_by_pairs::<HALVES_MULTIPLY>(&gradients, triangle, corners, made);
     }
-    let slopes = |d1, d2| {
-        if BY_HALVES {
-            // One attribute is finished before the next is begun.
-            core::hint::black_box(gradients.slopes_by_parts(&parts, d1, d2))
-        } else {
-            gradients.weighted_slopes(d1, d2)
-        }
-    };
-    let depth = {
-        let (first, to_second, to_third) = triangle.depth_codes();
-        let Slopes { dx, dy, to_center } = slopes(to_second, to_third);
+}
+
+/// The planes of a triangle, all to be made.
+#[inline(always)]
+fn unmade(made: &mut Option<Ready<SmoothColor>>) -> &mut (SmoothColorPlanes, Plane) {
+    let plane = Plane { origin: 0, dx: 0, dy: 0 };
+    let planes = SmoothColorPlanes { blue_red: plane, green: plane, fine: None };
+    &mut made.insert(Ready { set: (planes, plane) }).set
+}
+
+/// The compiler finishes what is above, stores it, and reads anew what is in memory, before it begins what is
+/// below: all at once has more values than there are registers.
+#[inline(always)]
+fn between() {
+    core::hint::black_box(());
+}
+
+/// The difference of a channel in the lower 16 bits.
+#[inline(always)]
+const fn low(to: u32, from: u32) -> i32 {
+    (to & 0xFFFF).wrapping_sub(from & 0xFFFF).cast_signed()
+}
+
+/// The same in the upper 16 bits.
+#[inline(always)]
+const fn high(to: u32, from: u32) -> i32 {
+    (to >> 16).wrapping_sub(from >> 16).cast_signed()
+}
+
+/// The planes of a small triangle where products are long; where their upper words are rounded by the same
+/// instruction, `ROUNDS`.
+#[inline(always)]
+fn make_by_pairs<const ROUNDS: bool>(
+    gradients: &SmallGradients,
+    triangle: &Triangle,
+    [a, b, c]: &[Color; 3],
+    made: &mut Option<Ready<SmoothColor>>,
+) {
+    let (planes, depth) = unmade(made);
+    // In memory, where a pair is loaded at once.
+    let pairs = core::hint::black_box(gradients.pairs());
+    let plane = |first: u32, d1: i32, d2: i32| {
+        let Slopes { dx, dy, to_center } = gradients.slopes_by_pairs(&pairs, d1, d2);
         let value = first.wrapping_add(to_center.cast_unsigned());
         gradients.plane_at(value, dx.cast_unsigned(), dy.cast_unsigned())
     };
-    (planes_by(&gradients, corners, false, slopes), depth)
+    let (first, to_second, to_third) = triangle.depth_codes();
+    *depth = plane(first, to_second, to_third);
+    between();
+    let first = a.green & !Color::OPAQUE;
+    planes.green = plane(first, high(b.green, a.green), high(c.green, a.green));
+    between();
+    let [column, row, center] = &pairs;
+    let (first, second, third) = (a.blue_red, b.blue_red, c.blue_red);
+    let (b1, b2) = (high(second, first), high(third, first));
+    let (r1, r2) = (low(second, first), low(third, first));
+    let sums = |pair| (SmallGradients::sum(pair, b1, b2), SmallGradients::sum(pair, r1, r2));
+    let unit = gradients.unit();
+    let slope = |pair| {
+        let (blue, red) = sums(pair);
+        if ROUNDS {
+            packed_slope_of_sums(blue, red, unit)
+        } else {
+            packed_slope(blue.wrapping_mul(unit), red.wrapping_mul(unit))
+        }
+    };
+    let (dx, dy) = (slope(column), slope(row));
+    let (blue, red) = sums(center);
+    let value = if ROUNDS {
+        packed_value_of_sums(first, blue, red, unit)
+    } else {
+        packed(
+            (first & 0xFFFF_0000).wrapping_add(blue.wrapping_mul(unit).cast_unsigned()),
+            (first << 16).wrapping_add(red.wrapping_mul(unit).cast_unsigned()),
+        )
+    };
+    planes.blue_red = gradients.plane_at(value, dx, dy);
+}
+
+/// [`packed_slope`] of two sums, each times a unit of at most 2^12.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "channels are modulo 2^16")]
+fn packed_slope_of_sums(blue: i32, red: i32, unit: i32) -> u32 {
+    let unit = i64::from(unit << 16);
+    let rounded = |sum| (i64::from(sum).wrapping_mul(unit).wrapping_add(1 << 31) >> 32) as i32;
+    let red = i32::from(rounded(red) as i16);
+    (rounded(blue) << 16).wrapping_add(red).cast_unsigned()
+}
+
+/// [`packed`] of what is at the first corner and of two such sums.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "channels are modulo 2^16")]
+fn packed_value_of_sums(first: u32, blue: i32, red: i32, unit: i32) -> u32 {
+    let unit = i64::from(unit << 16);
+    let upper = |sum| (i64::from(sum).wrapping_mul(unit) >> 32) as i32;
+    let red = i32::from(first.cast_signed().wrapping_add(upper(red)) as i16);
+    let blue = (upper(blue) << 16).cast_unsigned();
+    (first & 0xFFFF_0000).wrapping_add(blue).wrapping_add(red.cast_unsigned())
+}
+
+/// The same where they are made of parts.
+#[inline(always)]
+fn make_by_parts(
+    gradients: &SmallGradients,
+    triangle: &Triangle,
+    [a, b, c]: &[Color; 3],
+    made: &mut Option<Ready<SmoothColor>>,
+) {
+    let (planes, depth) = unmade(made);
+    // In memory, where a factor is loaded for each product, which takes its place: a weight that
+    // stays in a register is copied there first.
+    let parts = core::hint::black_box(gradients.parts());
+    let plane = |first: u32, d1: i32, d2: i32| {
+        let Slopes { dx, dy, to_center } = gradients.slopes_by_parts(&parts, d1, d2);
+        let value = first.wrapping_add(to_center.cast_unsigned());
+        gradients.plane_at(value, dx.cast_unsigned(), dy.cast_unsigned())
+    };
+    let (first, to_second, to_third) = triangle.depth_codes();
+    *depth = plane(first, to_second, to_third);
+    between();
+    let first = a.green & !Color::OPAQUE;
+    planes.green = plane(first, high(b.green, a.green), high(c.green, a.green));
+    between();
+    let (first, second, third) = (a.blue_red, b.blue_red, c.blue_red);
+    let slopes = |d1, d2| gradients.slopes_by_parts(&parts, d1, d2);
+    let Slopes { dx, dy, to_center } = slopes(high(second, first), high(third, first));
+    let upper = |word: u32| word & 0xFFFF_0000;
+    let rounded = |slope: i32| slope.wrapping_add(0x8000).cast_unsigned();
+    planes.blue_red = Plane {
+        origin: upper(upper(first).wrapping_add(to_center.cast_unsigned())),
+        dx: upper(rounded(dx)),
+        dy: upper(rounded(dy)),
+    };
+    // What was stored is loaded again.
+    compiler_fence(Ordering::SeqCst);
+    let Slopes { dx, dy, to_center } = slopes(low(second, first), low(third, first));
+    let with = |blue: u32, red: u32| blue.wrapping_add((red.cast_signed() >> 16).cast_unsigned());
+    let Plane { origin, dx: blue_dx, dy: blue_dy } = planes.blue_red;
+    planes.blue_red = gradients.plane_at(
+        with(origin, (first << 16).wrapping_add(to_center.cast_unsigned())),
+        with(blue_dx, rounded(dx)),
+        with(blue_dy, rounded(dy)),
+    );
 }
 
 /// The same of triangles that are too thin for weights, or drawn in pieces.
@@ -267,9 +404,6 @@ fn planes_by(
     in_pieces: bool,
     slopes: impl Fn(i32, i32) -> Slopes,
 ) -> SmoothColorPlanes {
-    // The difference of a channel in 16 bits.
-    let low = |to: u32, from: u32| (to & 0xFFFF).wrapping_sub(from & 0xFFFF).cast_signed();
-    let high = |to: u32, from: u32| (to >> 16).wrapping_sub(from >> 16).cast_signed();
     let (first, second, third) = (a.blue_red, b.blue_red, c.blue_red);
     let blue = slopes(high(second, first), high(third, first));
     let red = slopes(low(second, first), low(third, first));
@@ -308,7 +442,7 @@ mod tests {
     #[test]
     fn planes_at_once_are_those_made_apart() {
         let mut random = Random::new(41);
-        let mut seen = [0; 3];
+        let (mut seen, mut both) = ([0; 3], 0);
         for round in 0..20_000 {
             // From a few pixels, with slivers among them, to more than the rounded slopes serve.
             let reach = [6, 9, 11, 15][round % 4];
@@ -329,10 +463,29 @@ mod tests {
                 smooth_planes(gradients, corners, in_pieces),
                 gradients.plane_from(first, to_second, to_third),
             );
-            assert_eq!(smooth_planes_at_once(triangle, corners), apart, "{triangle:?} {corners:?}");
+            let made = |make: &dyn Fn(&mut Option<Ready<SmoothColor>>)| {
+                let mut made = None;
+                make(&mut made);
+                made.map(|ready| ready.set)
+            };
+            let at_once = made(&|made| smooth_planes_at_once(triangle, corners, made));
+            assert_eq!(at_once, Some(apart), "{triangle:?} {corners:?}");
+            // Both ways, wherever this runs.
+            for small in
+                [SmallGradients::of::<false>(triangle), SmallGradients::of::<true>(triangle)]
+            {
+                let Some(small) = &small else { continue };
+                let all = [
+                    made(&|made| make_by_pairs::<false>(small, triangle, corners, made)),
+                    made(&|made| make_by_pairs::<true>(small, triangle, corners, made)),
+                    made(&|made| make_by_parts(small, triangle, corners, made)),
+                ];
+                assert_eq!(all, [at_once; 3], "{triangle:?} {corners:?}");
+                both += 1;
+            }
             assert_eq!(SmoothColor::are_in_pieces(&apart.0), in_pieces, "{triangle:?}");
             seen[usize::from(in_pieces) + usize::from(gradients.are_exact())] += 1;
         }
-        assert!(seen.iter().all(|count| *count > 500), "{seen:?}");
+        assert!(seen.iter().all(|count| *count > 500) && both > 5000, "{seen:?}, {both} small");
     }
 }

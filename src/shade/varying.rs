@@ -42,6 +42,14 @@ pub trait Stepped: Copy {
     }
 }
 
+/// A triangle's planes, ready for its spans.
+#[doc(hidden)]
+#[allow(missing_debug_implementations, reason = "planes need have none")]
+pub struct Ready<V: Varying> {
+    /// Of what is interpolated, and of depth.
+    pub(crate) set: (V::Planes, Plane),
+}
+
 /// A value that varies over a triangle: made at its corners, interpolated to its pixels.
 ///
 /// Building blocks are `()` (nothing), [`FlatColor`](super::FlatColor),
@@ -84,12 +92,13 @@ pub trait Varying: Stepped {
     /// alone.
     #[doc(hidden)]
     #[inline(always)]
-    fn at_once(triangle: &Triangle, corners: &[Self::Corner; 3]) -> (Self::Planes, Plane) {
+    fn at_once(triangle: &Triangle, corners: &[Self::Corner; 3], made: &mut Option<Ready<Self>>) {
         let gradients = Gradients::new(triangle);
         let in_pieces = Self::PIECE != 0 && gradients.reach_beyond(Self::PIECE / 2);
         let (first, to_second, to_third) = triangle.depth_codes();
         let depth = gradients.plane_from(first, to_second, to_third);
-        (Self::planes(&gradients, corners, &corners[0], in_pieces), depth)
+        let planes = Self::planes(&gradients, corners, &corners[0], in_pieces);
+        *made = Some(Ready { set: (planes, depth) });
     }
 
     /// Whether planes will be [settled](Self::settle), as they were told.

@@ -25,6 +25,7 @@ mod point;
 mod screen_vertex;
 mod short_edge;
 mod spans;
+mod trapezoid;
 #[cfg(feature = "std")]
 mod traversal;
 mod triangle;
@@ -44,6 +45,7 @@ pub(crate) use screen_vertex::Point;
 pub use screen_vertex::{ScreenVertex, GUARD, SUBPIXELS};
 pub(crate) use spans::first_center;
 pub use spans::Spans;
+pub(crate) use trapezoid::Trapezoid;
 #[cfg(feature = "std")]
 pub use traversal::{AnyTraversal, AnyWalk, BlockWalk, Blocks, BoundingBox, Rows};
 pub(crate) use triangle::{area_of_sides, Fitted, Guard};

@@ -13,6 +13,8 @@ pub(crate) struct Window<'a, F: Format, A: DepthAccess> {
     stride: usize,
     /// What pixel (0, 0) of the picture is before the window's first.
     before: usize,
+    /// Its number: the same, below zero.
+    origin: usize,
 }
 
 impl<F: Format, A: DepthAccess> Window<'_, F, A> {
@@ -22,7 +24,13 @@ impl<F: Format, A: DepthAccess> Window<'_, F, A> {
         let length = self.pixels.len().min(A::length(&self.cells));
         let cells = A::part(&mut self.cells, 0, length)?;
         let pixels = self.pixels.get_mut(..length)?;
-        Some(Window { pixels, cells, stride: self.stride, before: self.before })
+        Some(Window {
+            pixels,
+            cells,
+            stride: self.stride,
+            before: self.before,
+            origin: self.origin,
+        })
     }
 
     /// Colours and cells of so many columns of picture row `y`, from `left` on; `None` where the
@@ -50,6 +58,20 @@ impl<F: Format, A: DepthAccess> Window<'_, F, A> {
     ) -> Option<(&mut [F::Raw], A::Cells<'_>)> {
         // No slice is longer: the end is not before the beginning then, and is checked alone.
         let at = self.number(left, y) & (usize::MAX >> 1);
+        let range = at..at.wrapping_add(length);
+        Some((self.pixels.get_mut(range.clone())?, A::range(&mut self.cells, range)?))
+    }
+
+    /// The same of a row whose beginning is found in one step: where rows follow each other.
+    #[inline(always)]
+    pub(crate) fn next_row(
+        &mut self,
+        y: i32,
+        left: i32,
+        length: usize,
+    ) -> Option<(&mut [F::Raw], A::Cells<'_>)> {
+        let beginning = self.origin.wrapping_add((y as usize).wrapping_mul(self.stride));
+        let at = beginning.wrapping_add(left as usize) & (usize::MAX >> 1);
         let range = at..at.wrapping_add(length);
         Some((self.pixels.get_mut(range.clone())?, A::range(&mut self.cells, range)?))
     }
@@ -94,8 +116,9 @@ impl<'a, F: Format, D> Frame<'a, F, D> {
         }
         let stride = self.stride;
         let before = usize::from(self.first_row).wrapping_mul(stride);
+        let origin = before.wrapping_neg();
         let (pixels, cells) = (&mut *self.pixels, self.depth.all());
-        Target::Whole(Window { pixels, cells, stride, before })
+        Target::Whole(Window { pixels, cells, stride, before, origin })
     }
 
     /// A window of a span alone; `None` if the frame does not reach so far.
@@ -108,7 +131,8 @@ impl<'a, F: Format, D> Frame<'a, F, D> {
     {
         let stride = self.stride;
         let before = (span.y as usize).wrapping_mul(stride).wrapping_add(span.left as usize);
+        let origin = before.wrapping_neg();
         let (pixels, cells) = self.row_with_depth::<A>(span.y, span.left, span.right)?;
-        Some(Window { pixels, cells, stride, before })
+        Some(Window { pixels, cells, stride, before, origin })
     }
 }

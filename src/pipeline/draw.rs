@@ -68,7 +68,7 @@ impl<H: Shader> Draw<'_, H> {
         assembly.face(positions);
         let mut face = Face::NONE;
         let mut walk = Walk::<S>::default();
-        let mut batch = SpanBatch::default();
+        let mut batch = SpanBatch::made_by_stores();
         let mut target = frame.target::<Access<S>>();
         let limits = limits_of_few::<H::Varying, S, F, D>(state, &target, &assembly.area);
         while assembly.next(positions, cache.entries, state.counter(), &mut face) {

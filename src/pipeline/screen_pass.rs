@@ -332,7 +332,7 @@ impl<S: State> ScreenPass<S> {
                 let (walk, batch) = (&mut walk, &mut batch);
                 find::<H::Varying, S>(state, triangle, &area, &limits, walk, batch).is_some()
             } else {
-                find_spans(state, triangle, &area, &mut walk, &mut batch)
+                find_spans::<H::Varying, S>(state, triangle, &area, &mut walk, &mut batch)
             };
             if !found {
                 state.counter().event(Event::Outside);

@@ -1,4 +1,4 @@
-use super::{Spans, Triangle};
+use super::{Spans, Trapezoid, Triangle};
 use crate::frame::Rect;
 
 /// A run of covered pixels in one row, in picture coordinates.
@@ -25,6 +25,20 @@ pub trait Traversal: Copy {
     /// Starts `walk` on a triangle, limited to `area`, and takes its first spans: none if no pixel
     /// of it is covered.
     fn start(&self, walk: &mut Self::Walk, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch);
+
+    /// The same for those who draw trapezoids too, or [expand](SpanBatch::expand) them: a short
+    /// triangle's spans need not be made then.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn start_any(
+        &self,
+        walk: &mut Self::Walk,
+        triangle: &Triangle,
+        area: &Rect,
+        batch: &mut SpanBatch,
+    ) {
+        self.start(walk, triangle, area, batch);
+    }
 
     /// Whether passes are to ask before whether a triangle covers few pixels, which they then draw
     /// without it.
@@ -56,6 +70,9 @@ pub struct SpanBatch {
     pub(super) spans: [Span; Self::CAPACITY],
     pub(super) length: usize,
     pub(super) last: bool,
+    /// Those whose rows are to be spans, and how many there are: none where spans are made.
+    pub(super) trapezoids: [Trapezoid; 2],
+    pub(super) parts: usize,
 }
 
 impl SpanBatch {
@@ -69,7 +86,13 @@ impl SpanBatch {
         // Opaque: the compiler would call `memset` all the same.
         let zero = core::hint::black_box(0);
         let span = Span { y: zero, first: zero, left: zero, right: zero, behind: zero };
-        Self { spans: [span; Self::CAPACITY], length: 0, last: false }
+        Self {
+            spans: [span; Self::CAPACITY],
+            length: 0,
+            last: false,
+            parts: 0,
+            trapezoids: [Trapezoid::of(zero); 2],
+        }
     }
 
     /// Forgets the spans; those that come are the last ones until [`more`](Self::more) is said.
@@ -77,6 +100,7 @@ impl SpanBatch {
     pub fn clear(&mut self) {
         self.length = 0;
         self.last = true;
+        self.parts = 0;
     }
 
     /// Says that more spans will follow these.
@@ -116,6 +140,41 @@ impl SpanBatch {
         }
     }
 
+    /// Whether there are trapezoids whose rows are the spans, which are not made yet.
+    #[inline(always)]
+    pub(crate) fn has_trapezoids(&self) -> bool {
+        self.parts != 0
+    }
+
+    /// The trapezoids, none of which is without rows.
+    #[inline(always)]
+    pub(crate) fn trapezoids(&mut self) -> &mut [Trapezoid] {
+        self.trapezoids.get_mut(..self.parts).unwrap_or(&mut [])
+    }
+
+    /// Makes the spans of trapezoids.
+    ///
+    /// # Cost
+    /// 20 instructions a row on Cortex-M4, for whom spans are asked: apart, so that it is there once.
+    #[inline(never)]
+    pub(crate) fn expand(&mut self) {
+        let parts = core::mem::take(&mut self.parts);
+        let mut places = self.spans.iter_mut();
+        for trapezoid in self.trapezoids.iter().take(parts) {
+            let mut rows = *trapezoid;
+            while rows.has_row() {
+                if let Some(span) = rows.span() {
+                    let Some(place) = places.next() else { break };
+                    *place = span;
+                }
+                rows.step();
+                // Not unrolled.
+                core::hint::black_box(());
+            }
+        }
+        self.length = Self::CAPACITY.wrapping_sub(places.len());
+    }
+
     /// The spans that were taken.
     #[inline(always)]
     pub fn spans(&self) -> &[Span] {
@@ -145,6 +204,11 @@ impl Traversal for Scanline {
     #[inline(always)]
     fn start(&self, walk: &mut Spans, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
         walk.start(triangle, area, batch);
+    }
+
+    #[inline(always)]
+    fn start_any(&self, walk: &mut Spans, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
+        walk.start_any(triangle, area, batch);
     }
 
     #[inline(always)]

@@ -26,6 +26,7 @@ mod screen_vertex;
 mod short_edge;
 mod small_gradients;
 mod spans;
+mod trapezoid;
 #[cfg(feature = "std")]
 mod traversal;
 mod triangle;
@@ -46,6 +47,7 @@ pub use screen_vertex::{ScreenVertex, GUARD, SUBPIXELS};
 pub(crate) use small_gradients::{SmallGradients, SMALL_SIDE};
 pub(crate) use spans::first_center;
 pub use spans::Spans;
+pub(crate) use trapezoid::Trapezoid;
 #[cfg(feature = "std")]
 pub use traversal::{AnyTraversal, AnyWalk, BlockWalk, Blocks, BoundingBox, Rows};
 pub(crate) use triangle::{area_of_sides, Fitted, Guard};

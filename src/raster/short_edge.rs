@@ -8,15 +8,15 @@ use crate::math::BY_HALVES;
 /// 9/8 of a unit a row, so that after 14 rows and a cut x is off by less than 17: less than half of
 /// what lies between two possible crossings. Adding a little less than one ([`ROUND_UP`]) and
 /// cutting off is then the exact ceil(crossing - 1/2).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ShortEdge {
     /// Columns with 17 fraction bits, with [`ROUND_UP`] in it.
-    x: i32,
-    step: i32,
+    pub(super) x: i32,
+    pub(super) step: i32,
 }
 
 /// Fraction bits of a column.
-const FRACTION: u32 = 17;
+pub(super) const FRACTION: u32 = 17;
 /// Tallest triangle, in subpixels: 14 pixels hold 14 row centres.
 pub(super) const TALLEST: i32 = 14 * 16;
 /// Widest triangle, in subpixels: 128 pixels. Its sides from the highest corner are half as wide.
@@ -83,6 +83,12 @@ impl ShortEdge {
         let along = step.wrapping_mul(down) >> 4;
         let from = a.x.wrapping_sub(8).wrapping_mul(1 << (FRACTION - 4));
         Self { x: from.wrapping_add(ROUND_UP).wrapping_add(along), step }
+    }
+
+    /// The same walk so many rows further down.
+    #[inline(always)]
+    pub(super) const fn after(&self, rows: i32) -> Self {
+        Self { x: self.x.wrapping_add(self.step.wrapping_mul(rows)), step: self.step }
     }
 }
 

@@ -1,6 +1,6 @@
 use super::medium_edge::{self, MediumEdge, FARTHEST};
 use super::short_edge::{ShortEdge, TALLEST, WIDEST};
-use super::{Edge, LongEdge, Point, Span, SpanBatch, SpanWalk, Triangle};
+use super::{Edge, LongEdge, Point, Span, SpanBatch, SpanWalk, Trapezoid, Triangle};
 use crate::frame::Rect;
 use crate::math::rare;
 
@@ -8,9 +8,9 @@ use crate::math::rare;
 /// along the edges, so that no pixel is tested.
 ///
 /// # Cost
-/// On Cortex-M4 8 instructions a row of a short triangle and 8 more where it holds a pixel, after
-/// some 130 to start, 15 more where it may reach beyond the area; one division an edge, by a table
-/// where the core has none. Passes ask before whether a triangle is one of very few pixels, which
+/// On Cortex-M4 some 150 instructions to start, 15 more where the triangle may reach beyond the area;
+/// one division an edge, by a table where the core has none. Then some 20 a row of a short triangle,
+/// but where passes draw its rows as they are walked: 12. Passes ask before whether a triangle is one of very few pixels, which
 /// do without. Not generic, so that one copy serves every shader, state and format.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans {
@@ -34,33 +34,6 @@ pub struct Spans {
 #[inline(always)]
 pub(crate) const fn first_center(bits: i32) -> i32 {
     bits.wrapping_add(7) >> 4
-}
-
-/// Takes the rows from `y` to `end` between two edges: those that hold a pixel, while there are
-/// places.
-#[inline(always)]
-fn take_rows<E: Edge>(left: &mut E, right: &mut E, mut y: i32, end: i32, places: &mut &mut [Span]) {
-    if y >= end {
-        return;
-    }
-    loop {
-        let (first, behind) = (left.column(), right.column());
-        if first < behind {
-            let [place, more @ ..] = core::mem::take(places) else { return };
-            *place = Span { y, first, left: first, right: behind, behind };
-            *places = more;
-        } else {
-            rare();
-        }
-        left.step();
-        right.step();
-        y = y.wrapping_add(1);
-        if y >= end {
-            return;
-        }
-        // Keeps the compiler from unrolling: four copies of this cost more than they save.
-        core::hint::black_box(());
-    }
 }
 
 /// Takes so many rows from `y` on between two edges, of which there is at least one and no more than
@@ -117,7 +90,17 @@ impl Spans {
     /// of `area` below 2^30 in magnitude.
     #[inline(never)]
     pub fn start(&mut self, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
+        self.start_any(triangle, area, batch);
+        if batch.has_trapezoids() {
+            batch.expand();
+        }
+    }
+
+    /// The same without making the spans of a short triangle that lies in the area.
+    #[inline(never)]
+    pub(super) fn start_any(&mut self, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
         batch.last = true;
+        batch.parts = 0;
         // Clockwise from the highest corner: the next one is on its right side.
         let [a, b, c] = triangle.v.each_ref().map(Point::of);
         let (high, right, left) = if a.y <= b.y && a.y <= c.y {
@@ -150,7 +133,8 @@ impl Spans {
         let descent = || Descent { high, right, left, start, turn, end };
         if lower.wrapping_sub(high.y) <= TALLEST && descent().is_narrow() {
             descent().take_short(batch);
-            if reaches_beyond {
+            if batch.has_trapezoids() && reaches_beyond {
+                batch.expand();
                 batch.clip(area.left, area.right);
             }
         } else {
@@ -169,29 +153,34 @@ impl Descent {
         (raised(self.right) | raised(self.left)).cast_unsigned() < WIDEST.cast_unsigned()
     }
 
-    /// All spans of a short triangle.
+    /// The trapezoids of a short triangle.
     #[inline(always)]
     fn take_short(&self, batch: &mut SpanBatch) {
         let Self { high, right, left, start, turn, end } = *self;
-        let mut places = batch.spans.as_mut_slice();
-        let mut left_edge = ShortEdge::new(high, left, start);
-        let mut right_edge = ShortEdge::new(high, right, start);
-        let (mut y, mut stop) = (start, turn);
-        loop {
-            take_rows(&mut left_edge, &mut right_edge, y, stop, &mut places);
-            if stop >= end {
-                break;
+        let left_edge = ShortEdge::new(high, left, start);
+        let right_edge = ShortEdge::new(high, right, start);
+        let mut upper = Trapezoid::new(left_edge, right_edge, start, turn);
+        // Over to the second edge of the side that has two.
+        let rows = turn.wrapping_sub(start);
+        let (left_edge, right_edge) = if right.y < left.y {
+            (left_edge.after(rows), ShortEdge::new(right, left, turn))
+        } else {
+            (ShortEdge::new(left, right, turn), right_edge.after(rows))
+        };
+        let mut lower = Trapezoid::new(left_edge, right_edge, turn, end);
+        let [first, second] = &mut batch.trapezoids;
+        (batch.length, batch.parts) = (1, 1);
+        if upper.skip_empty_rows() {
+            *first = upper;
+            if lower.has_row() {
+                *second = lower;
+                batch.parts = 2;
             }
-            // Over to the second edge of the side that has two.
-            y = stop;
-            if right.y < left.y {
-                right_edge = ShortEdge::new(right, left, y);
-            } else {
-                left_edge = ShortEdge::new(left, right, y);
-            }
-            stop = end;
+        } else if lower.skip_empty_rows() {
+            *first = lower;
+        } else {
+            (batch.length, batch.parts) = (0, 0);
         }
-        batch.length = SpanBatch::CAPACITY.wrapping_sub(places.len());
     }
 
     /// Makes the walk over any other triangle.

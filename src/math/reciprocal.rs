@@ -1,5 +1,5 @@
 use super::leading_zeros::leading_zeros;
-use super::wide::{low_of_high, mul_short};
+use super::wide::{less_high, low_of_high, mul_high_31, mul_short, HALVES_MULTIPLY};
 
 /// One over an integer: 1 / n is about `mantissa` / 2^`shift`.
 ///
@@ -71,7 +71,6 @@ pub(crate) fn inlined_reciprocal_of_some(n: u32) -> Reciprocal {
 
 /// The mantissa of the reciprocal of a number whose uppermost bit is set.
 #[inline(always)]
-#[allow(clippy::cast_possible_truncation, reason = "an error of 16 bits")]
 pub(crate) fn mantissa_of(normal: u32) -> u32 {
     // f = normal / 2^32, in [1/2, 1).
     // The seed, 2^15 / f with nine good bits.
@@ -82,17 +81,35 @@ pub(crate) fn mantissa_of(normal: u32) -> u32 {
     let correction = seed.cast_signed().wrapping_mul(error >> 9) >> 7;
     let estimate = (seed << 15).wrapping_add(correction.cast_unsigned());
 
-    // Second step. The error 2^30 (1 - f x) has 16 bits, as going through all normal numbers shows.
+    // In range for all 2^31 normal numbers, as going through them shows.
+    if HALVES_MULTIPLY {
+        last_step_at_once(normal, estimate)
+    } else {
+        last_step(normal, estimate)
+    }
+}
+
+/// The second step. The error 2^30 (1 - f x) has 16 bits, as going through all normal numbers shows.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "an error of 16 bits")]
+fn last_step(normal: u32, estimate: u32) -> u32 {
     let error = 0_u32.wrapping_sub(low_of_high(normal, estimate));
     let correction = mul_short(estimate >> 1, error as i16) >> 13;
-    // In range for all 2^31 normal numbers, as going through them shows.
     estimate.wrapping_add(correction.cast_unsigned())
+}
+
+/// The same by one long product, which is taken away: two bits higher the error has lost its 2^30.
+#[inline(always)]
+fn last_step_at_once(normal: u32, estimate: u32) -> u32 {
+    let excess = mul_high_31(normal, estimate) << 2;
+    let estimate = estimate.cast_signed();
+    less_high(estimate, estimate & !1, excess.cast_signed()).cast_unsigned()
 }
 
 #[cfg(test)]
 mod tests {
     extern crate std;
-    use super::{reciprocal, Reciprocal};
+    use super::{last_step, last_step_at_once, reciprocal, Reciprocal};
     use crate::math::hard_numbers::{Random, WORDS};
 
     /// The promise of the documentation: 2^-29.4.
@@ -124,6 +141,20 @@ mod tests {
         }
         std::println!("reciprocal: worst 2^{:.2} = {worst:e}", worst.log2());
         assert!(worst <= BOUND, "{worst:e}");
+    }
+
+    #[test]
+    fn the_last_step_at_once_has_the_bits_of_the_last_step() {
+        let mut random = Random::new(6);
+        for round in 0..2_000_000_u32 {
+            let normal = random.word() | 1 << 31;
+            // As good as the first step leaves it, and as bad as the error's 16 bits allow.
+            let exact = (1_u64 << 62) / u64::from(normal);
+            let spread = random.word() >> 17 >> (round % 16);
+            let estimate = u32::try_from(exact).unwrap_or(0).wrapping_sub(spread);
+            let (one, other) = (last_step_at_once(normal, estimate), last_step(normal, estimate));
+            assert_eq!(one, other, "{normal:#x} from {estimate:#x}");
+        }
     }
 
     #[test]

@@ -180,6 +180,14 @@ const fn short_by_parts(a: u32, b: i16) -> i32 {
     b * high + ((b * low) >> 16)
 }
 
+/// A number less the upper 32 bits of a product, rounded down.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "wraps as a difference of words does")]
+pub(crate) const fn less_high(from: i32, a: i32, b: i32) -> i32 {
+    // One instruction on cores that multiply halves.
+    (((from as i64) << 32).wrapping_sub(a as i64 * b as i64) >> 32) as i32
+}
+
 /// A weight as [`weighted_sum`] takes it.
 ///
 /// Where products are long, one bit higher: their upper words are then the sum, with no shift.
@@ -276,6 +284,13 @@ mod tests {
             let product = (i64::from(short) * i64::from(half >> 1)) >> 16;
             assert_eq!(i64::from(mul_short(half >> 1, short)), product, "{short} x {half:x} / 2");
             assert_eq!(i64::from(short_by_parts(half >> 1, short)), product, "{short} x {half:x}");
+            let difference = (i128::from(signed) << 32) - i128::from(signed) * i128::from(short);
+            let high = less_high(signed, signed, short.into());
+            assert_eq!(
+                i128::from(high),
+                difference >> 32,
+                "{signed} less its product with {short}"
+            );
             let coarse = b >> 15 << 15;
             let upper = (u64::from(a) * u64::from(coarse)) >> 32;
             assert_eq!(u64::from(high_by_upper_half(a, coarse >> 15)), upper, "{a:x} x {coarse:x}");

@@ -363,6 +363,56 @@ fn points_of_meshes_reach_into_the_view_from_beside_it() {
     assert!(beside > 300 && far > 1_000, "hardly tested: {beside}, {far}");
 }
 
+/// Positions whose unit is half the picture.
+fn in_512ths<'a>(positions: &'a [[i16; 3]], colors: &'a [Rgb]) -> Mesh<'a, Rgb> {
+    Mesh::new(positions, colors).placed(Vec3::new(1.0 / 512.0, 1.0 / 512.0, 1.0), Vec3::ZERO)
+}
+
+#[test]
+fn points_take_attributes_by_vertex_or_by_number_and_what_is_missing_is_skipped() {
+    let mut random = Random(58);
+    let camera = Camera::custom(Mat4::identity());
+    let (mut shown, mut skipped) = (0, 0);
+    for round in 0..2_000 {
+        let mut any = |most| random.range(0, most) as usize;
+        let mut v = || (16 * any(64)) as i16 - 512;
+        let positions: Vec<[i16; 3]> = (0..8).map(|_| [v(), v(), 0]).collect();
+        let colors: Vec<_> = (1..9).map(|i| Rgb::new(i, 2 * i, 3 * i)).collect();
+        let (positions, colors) = (&positions[..any(8)], &colors[..any(8)]);
+        let indices: Vec<u8> = (0..10).map(|_| any(9) as u8).collect();
+        let by_face = round % 2 == 0;
+        let (_, pixels, stats) = drawn(|frame, stats| {
+            let mesh = in_512ths(positions, colors);
+            let mesh = mesh.with_topology(Points::new(Indices::new(&indices)));
+            let mesh = if by_face { mesh.by_face() } else { mesh };
+            let mut pass = Pass::new(&camera).count(stats);
+            pass.draw_points(frame, &Mat4::identity(), &mesh, &Flat::colored(), &2);
+        });
+        // Each alone, of one position and one colour.
+        let mut missing = 0;
+        let (_, expected, alone) = drawn(|frame, stats| {
+            for (number, index) in indices.iter().enumerate() {
+                let at = usize::from(*index);
+                let color = colors.get(if by_face { number } else { at });
+                let (Some(position), Some(color)) = (positions.get(at), color) else {
+                    missing += 1;
+                    continue;
+                };
+                let (position, color) = ([*position], [*color]);
+                let mesh = in_512ths(&position, &color);
+                let mesh = mesh.with_topology(Points::new(Consecutive::new(1)));
+                let mut pass = Pass::new(&camera).count(&mut *stats);
+                pass.draw_points(frame, &Mat4::identity(), &mesh, &Flat::colored(), &2);
+            }
+        });
+        assert_eq!(pixels, expected, "{positions:?} {colors:?} {indices:?} {by_face}");
+        assert_eq!((stats.skipped, stats.drawn), (missing, alone.drawn), "{indices:?}");
+        shown += alone.drawn;
+        skipped += missing;
+    }
+    assert!(shown > 2_000 && skipped > 2_000, "hardly tested: {shown}, {skipped}");
+}
+
 #[test]
 fn a_sprite_shows_its_texture_whole_and_a_cutout_leaves_its_holes_alone() {
     // Four texels of 5551: red, a hole, blue, green.

@@ -53,6 +53,13 @@ pub(crate) fn rolled(n: usize) -> impl Iterator<Item = usize> {
 #[inline]
 pub(crate) const fn rare() {}
 
+/// Lets the compiler forget what it has read: what a turn of a loop needs is then loaded in it, in
+/// pairs, instead of being kept on the stack in words one by one.
+#[inline(always)]
+pub(crate) fn forget() {
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
+}
+
 pub use angle::Angle;
 pub use angle_units::AngleUnits;
 pub use inverse_sqrt::{inverse_sqrt, InverseSqrt};

@@ -1,10 +1,11 @@
 use super::cache::{holds, kept, slot, Entry};
 use super::clipper::{signed_area, Fan};
 use super::mapping::Mapping;
-use super::projected::{flag, Projected, HALVES_MULTIPLY};
+use super::projected::{flag, Projected};
 use super::transform::Transform;
 use super::{Clip, CulledWindings};
 use crate::frame::Rect;
+use crate::math::HALVES_MULTIPLY;
 use crate::raster::{area_of_sides, ScreenVertex, Triangle};
 use crate::scene::{Facing, PlaneScale, Topology};
 use crate::shade::{Counter, Event};
@@ -17,9 +18,15 @@ pub(super) trait Positions {
     /// A vertex on the screen.
     fn projected(&self, index: u32, mapping: &Mapping) -> Projected;
 
-    /// Where a vertex lies as a point; what becomes of one that is not between the near and the far
-    /// plane or not there at all.
-    fn point(&self, index: u32, mapping: &Mapping, place: &mut ScreenVertex) -> Option<Event>;
+    /// Where a vertex, which has this position in the mesh, lies as a point; what becomes of one that
+    /// is not between the near and the far plane or has no place. `easy_w` is the mapping's.
+    fn point(
+        &self,
+        index: u32,
+        position: &[i16; 3],
+        mapping: &Mapping,
+        easy_w: i32,
+    ) -> Result<ScreenVertex, Event>;
 
     /// From where planes of triangles are seen that were made with a scale.
     fn facing(&self, _mapping: &Mapping, _culled: CulledWindings, _scale: &PlaneScale) -> Facing {
@@ -43,21 +50,24 @@ impl Positions for MeshPositions<'_> {
     #[inline(always)]
     fn projected(&self, index: u32, mapping: &Mapping) -> Projected {
         match self.positions.get(index as usize) {
-            Some(position) => {
-                mapping.project(self.transform.sides(position), || self.transform.z(position))
-            }
+            Some(position) => mapping
+                .project(self.transform.sides::<true>(position), || self.transform.z(position)),
             None => Projected::INVALID,
         }
     }
 
     #[inline(always)]
-    fn point(&self, index: u32, mapping: &Mapping, place: &mut ScreenVertex) -> Option<Event> {
-        let Some(position) = self.positions.get(index as usize) else {
-            return Some(Event::Skipped);
-        };
+    fn point(
+        &self,
+        _index: u32,
+        position: &[i16; 3],
+        mapping: &Mapping,
+        easy_w: i32,
+    ) -> Result<ScreenVertex, Event> {
         let z = || self.transform.z(position);
-        let is_seen = mapping.inlined_point(self.transform.sides(position), z, place);
-        (!is_seen).then_some(Event::Outside)
+        mapping
+            .inlined_point(self.transform.sides::<false>(position), z, easy_w)
+            .ok_or(Event::Outside)
     }
 
     fn facing(&self, mapping: &Mapping, culled: CulledWindings, scale: &PlaneScale) -> Facing {

@@ -37,9 +37,15 @@ impl<H: Shader> Positions for Draw<'_, H> {
         }
     }
 
-    fn point(&self, index: u32, mapping: &Mapping, place: &mut ScreenVertex) -> Option<Event> {
-        let Some(clip) = self.clip(index) else { return Some(Event::Skipped) };
-        (!mapping.point(&clip, place)).then_some(Event::Outside)
+    fn point(
+        &self,
+        index: u32,
+        _position: &[i16; 3],
+        mapping: &Mapping,
+        _easy_w: i32,
+    ) -> Result<ScreenVertex, Event> {
+        let clip = self.clip(index).ok_or(Event::Skipped)?;
+        mapping.point(&clip).ok_or(Event::Outside)
     }
 }
 
@@ -203,9 +209,20 @@ impl<H: Shader> Draw<'_, H> {
     ) -> Option<Corner<H::Varying>> {
         let attributes = self.vertices.attributes.get(number as usize)?;
         let input = VertexInput { attributes, position: self.position(index) };
+        Some(self.made_of(input, index, positions))
+    }
+
+    /// The same of what a vertex is made of.
+    #[inline(always)]
+    pub(super) fn made_of<P: Positions>(
+        &self,
+        input: VertexInput<'_, H::Vertex>,
+        index: u32,
+        positions: &P,
+    ) -> Corner<H::Varying> {
         let mut corner = self.shader.vertex(self.prepared, input);
         H::Varying::place(&mut corner, || w(positions, index));
-        Some(corner)
+        corner
     }
 
     /// Where a vertex lies in the mesh, if the mesh says so.

@@ -42,7 +42,8 @@ impl View {
     /// The area of a triangle as it is drawn; `None` where it would be cut.
     fn area(&self, corners: &[[i16; 3]; 3]) -> Option<i64> {
         let project = |position| {
-            let (sides, z) = (self.transform.sides(position), || self.transform.z(position));
+            let (sides, z) =
+                (self.transform.sides::<true>(position), || self.transform.z(position));
             self.mapping.project(sides, z)
         };
         let corners = corners.each_ref().map(project);
@@ -52,7 +53,7 @@ impl View {
 
     /// The eye in steps of positions, or the direction towards it.
     fn eye(&self) -> [f64; 4] {
-        let [x, y, _, w] = self.transform.rows();
+        let [x, y, _, w] = &self.transform.rows();
         let [a, b, c, d] = eye(x, y, w).map(|v| v as f64);
         [a, b, c, d / 65536.0]
     }

@@ -1,10 +1,10 @@
-use super::projected::{flag, Projected, HALVES_MULTIPLY, RAISED};
+use super::projected::{flag, Projected, RAISED};
 use super::transform::Depth;
 use super::Clip;
 use crate::frame::Size;
 use crate::math::{
     half_factor, inlined_reciprocal_of_some, mul_high_30, mul_high_both_31, mul_high_positive,
-    mul_high_signed, reciprocal_of_some, Reciprocal,
+    mul_high_signed, rare, reciprocal_of_some, Reciprocal, HALVES_MULTIPLY,
 };
 use crate::raster::{ScreenVertex, GUARD, SUBPIXELS};
 
@@ -237,44 +237,50 @@ impl Mapping {
         )
     }
 
-    /// Where a point lies, however far beside the viewport; whether it is between the near and the
-    /// far plane.
+    /// Where a point lies, however far beside the viewport; `None` if it is not between the near and
+    /// the far plane.
+    #[cold]
     #[inline(never)]
-    pub(super) fn point(&self, clip: &Clip, place: &mut ScreenVertex) -> bool {
+    pub(super) fn point(&self, clip: &Clip) -> Option<ScreenVertex> {
         /// Far beyond any point's extent, and nothing overflows.
         const FARTHEST: i32 = 1 << 20;
         if self.is_behind_near(clip.z, clip.w) || clip.z < self.depth.z_min {
-            return false;
+            return None;
         }
         let (x, y, z) = self.screen(clip);
         let limit = |v: i32| v.clamp(-FARTHEST, FARTHEST);
-        *place = ScreenVertex::from_bits(
+        Some(ScreenVertex::from_bits(
             self.center_x.wrapping_add(limit(x)),
             self.center_y.wrapping_add(limit(y)),
             z,
-        );
-        true
+        ))
     }
 
-    /// The same in place where no question is left.
+    /// From this w on [`inlined_point`](Self::inlined_point) asks no question; above zero, as the
+    /// compiler sees where this is not a loop's: then a shift by leading zeros needs no mask.
+    #[inline(always)]
+    pub(super) fn easy_w(&self) -> i32 {
+        self.easy_w.max(1)
+    }
+
+    /// The same as [`point`](Self::point), in place where no question is left.
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "a code has 16 bits")]
     pub(super) fn inlined_point(
         &self,
         [x, y, w]: [i32; 3],
         z: impl Fn() -> i32,
-        place: &mut ScreenVertex,
-    ) -> bool {
-        if w < self.easy_w {
+        easy_w: i32,
+    ) -> Option<ScreenVertex> {
+        if w < easy_w {
             let z = if self.depth.is_row() { z() } else { 0 };
-            return self.point(&Clip { x, y, z, w }, place);
+            return self.point(&Clip { x, y, z, w });
         }
         // Below 2^27, far beyond any point's extent too.
         let over_w = inlined_reciprocal_of_some(w as u32);
         let (x, y) = self.easy_place(x, y, over_w);
         let (x, y) = (self.center_x.wrapping_add(x), self.center_y.wrapping_add(y));
-        *place = ScreenVertex::from_bits(x, y, self.code_of_w(over_w) as u16);
-        true
+        Some(ScreenVertex::from_bits(x, y, self.code_of_w(over_w) as u16))
     }
 
     /// A projected vertex as a corner for the rasterizer.
@@ -325,15 +331,14 @@ impl Mapping {
 
 /// Whether a vertex does not lie between the sides of the view, or at a w below `easy_w`.
 #[inline(always)]
-const fn is_hard(x: i32, y: i32, w: i32, easy_w: i32) -> bool {
-    // Coordinates are below 2^30: a sum's sign bit is right, and where w is so far below zero that
-    // the first difference wraps, another is negative.
-    let margins = w.wrapping_sub(easy_w)
-        | w.wrapping_add(x)
-        | w.wrapping_sub(x)
-        | w.wrapping_sub(y)
-        | w.wrapping_add(y);
-    margins < 0
+fn is_hard(x: i32, y: i32, w: i32, easy_w: i32) -> bool {
+    // Coordinates are below 2^30: a sum that is below zero is above all others without its sign.
+    let is_beside = |v: i32| w.wrapping_add(v).cast_unsigned() > w.cast_unsigned() << 1;
+    if w < easy_w || is_beside(x) || is_beside(y) {
+        rare();
+        return true;
+    }
+    false
 }
 
 /// The depth code of twice 65531 z / w, rounded to nearest.

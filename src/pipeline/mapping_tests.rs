@@ -9,7 +9,7 @@ use crate::pipeline::assembly::{area_by_coordinates, area_by_sides, area_of};
 use crate::pipeline::projected::{flag, Projected, RAISED};
 use crate::pipeline::transform::Depth;
 use crate::pipeline::Clip;
-use crate::raster::{first_center, ScreenVertex};
+use crate::raster::first_center;
 
 /// Any viewport: small ones, long ones and large ones.
 fn any_size(random: &mut Random) -> Size {
@@ -133,9 +133,11 @@ fn a_point_has_the_place_of_any_point_unless_both_are_far_beside() {
         let mapping = Mapping::new(-77, 500, size, depth);
         for _ in 0..50 {
             let clip = any_clip(&mut random, &depth);
-            let (mut one, mut other) = (ScreenVertex::default(), ScreenVertex::default());
-            let is_seen = mapping.inlined_point([clip.x, clip.y, clip.w], || clip.z, &mut one);
-            assert_eq!(is_seen, mapping.point(&clip, &mut other), "{clip:?} by {mapping:?}");
+            let (z, easy_w) = (|| clip.z, mapping.easy_w());
+            let one = mapping.inlined_point([clip.x, clip.y, clip.w], z, easy_w);
+            let other = mapping.point(&clip);
+            assert_eq!(one.is_some(), other.is_some(), "{clip:?} by {mapping:?}");
+            let (one, other) = (one.unwrap_or_default(), other.unwrap_or_default());
             let offsets = [
                 (one.x_bits() - mapping.center_x, other.x_bits() - mapping.center_x),
                 (one.y_bits() - mapping.center_y, other.y_bits() - mapping.center_y),

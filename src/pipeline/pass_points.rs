@@ -1,17 +1,19 @@
 //! Points of meshes, and the corners of their triangles.
 
+use core::hint::black_box;
+
 use super::assembly::Positions;
 use super::cache::CacheView;
 use super::clipper::Fan;
 use super::fill::Access;
+use super::mapping::Mapping;
 use super::pass::{Ready, Work};
 use super::point::draw_point;
 use super::{Pass, PointSize, VertexCache};
 use crate::color::Format;
 use crate::frame::{Frame, Supplies};
-use crate::math::Mat4;
-use crate::raster::ScreenVertex;
-use crate::scene::{Mesh, Topology};
+use crate::math::{forget, Mat4};
+use crate::scene::{Mesh, Topology, Vertices};
 use crate::shade::{Corner, Counter, Event, Shader, State, VertexInput};
 
 impl<S: State> Pass<'_, S> {
@@ -98,9 +100,13 @@ where
     {
         let Self { topology, size } = self;
         let mut cursor = T::Cursor::default();
+        // In memory, for `forget`.
+        let _ = black_box(ready.draw.prepared);
+        let mapping = ready.mapping;
+        let listed = Listed::of(ready.draw.vertices, &mapping);
         while let Some((number, [index])) = topology.next::<false>(&mut cursor) {
             state.counter().event(Event::Point);
-            let event = ready.inlined_point(index, number, size, frame, state);
+            let event = ready.inlined_point(index, number, &listed, size, frame, state);
             state.counter().event(event);
         }
     }
@@ -136,6 +142,8 @@ where
     {
         let Self { topology, size, mut cache } = self;
         let (mut cursor, mut fan) = (T::Cursor::default(), Fan::default());
+        let mapping = ready.mapping;
+        let listed = Listed::of(ready.draw.vertices, &mapping);
         while let Some((number, vertices)) = topology.next::<false>(&mut cursor) {
             state.counter().event(Event::Triangle);
             if let Some(event) = ready.left_out(vertices, &mut cache, &mut fan) {
@@ -144,7 +152,7 @@ where
             }
             let mut event = Event::Outside;
             for index in vertices {
-                let corner = ready.point(index, number, size, frame, state);
+                let corner = ready.point(index, number, &listed, size, frame, state);
                 if matches!(corner, Event::Drawn | Event::Skipped) {
                     event = corner;
                 }
@@ -161,6 +169,48 @@ where
     }
 }
 
+/// What a loop over points reads.
+struct Listed<'a, A> {
+    /// Attributes of vertices that have a position under the same number: as many as positions, so
+    /// that one question serves both.
+    attributes: &'a [A],
+    positions: &'a [[i16; 3]],
+    mapping: &'a Mapping,
+    /// The mapping's.
+    easy_w: i32,
+}
+
+impl<'a, A> Listed<'a, A> {
+    /// That of a mesh; no vertices where attributes are the primitives' own.
+    #[inline(always)]
+    fn of(vertices: &Vertices<'a, A>, mapping: &'a Mapping) -> Self {
+        let Vertices { attributes, positions, by_face, .. } = vertices;
+        let count = if *by_face { 0 } else { attributes.len() };
+        // Or the question is asked of every point.
+        let attributes = black_box(attributes.get(..count).unwrap_or_default());
+        let count = attributes.len().min(positions.len());
+        let easy_w = mapping.easy_w();
+        match (attributes.get(..count), positions.get(..count)) {
+            (Some(attributes), Some(positions)) => Self { attributes, positions, mapping, easy_w },
+            _ => Self { attributes: &[], positions: &[], mapping, easy_w },
+        }
+    }
+}
+
+/// What the point `number` at a vertex is made of that is not listed; `None` if the mesh lacks it.
+#[cold]
+#[inline(never)]
+fn found<'a, H: Shader>(
+    vertices: &Vertices<'a, H::Vertex>,
+    index: u32,
+    number: u32,
+) -> Option<(&'a H::Vertex, &'a [i16; 3])> {
+    let Vertices { attributes, positions, by_face, .. } = vertices;
+    let attributes = attributes.get(if *by_face { number } else { index } as usize)?;
+    let position = positions.get(index as usize);
+    Some((attributes, if H::OWN_POSITIONS { position.unwrap_or(&[0; 3]) } else { position? }))
+}
+
 impl<H: Shader, P: Positions> Ready<'_, H, P> {
     /// Draws a point of the mesh: for loops in which it has company.
     #[inline(never)]
@@ -168,6 +218,7 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
         &self,
         index: u32,
         number: u32,
+        listed: &Listed<'_, H::Vertex>,
         size: &impl PointSize<H::Vertex>,
         frame: &mut Frame<'_, F, D>,
         state: &mut S,
@@ -177,7 +228,7 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        self.inlined_point(index, number, size, frame, state)
+        self.inlined_point(index, number, listed, size, frame, state)
     }
 
     /// Draws a point of the mesh in place.
@@ -186,6 +237,7 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
         &self,
         index: u32,
         number: u32,
+        listed: &Listed<'_, H::Vertex>,
         size: &impl PointSize<H::Vertex>,
         frame: &mut Frame<'_, F, D>,
         state: &mut S,
@@ -195,16 +247,21 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
         F: Format,
         D: Supplies<Access<S>>,
     {
-        let Self { draw, positions, mapping, area, .. } = self;
-        let attribute = if draw.vertices.by_face { number } else { index };
-        let Some(attributes) = draw.vertices.attributes.get(attribute as usize) else {
-            return Event::Skipped;
+        let Self { draw, positions, area, .. } = self;
+        let at = index as usize;
+        let (attributes, position) = match (listed.attributes.get(at), listed.positions.get(at)) {
+            (Some(attributes), Some(position)) => (attributes, position),
+            _ => match found::<H>(draw.vertices, index, number) {
+                Some(found) => found,
+                None => return Event::Skipped,
+            },
         };
-        let mut place = ScreenVertex::default();
-        if let Some(event) = positions.point(index, mapping, &mut place) {
-            return event;
-        }
-        let input = VertexInput { attributes, position: draw.position(index) };
+        forget();
+        let place = match positions.point(index, position, listed.mapping, listed.easy_w) {
+            Ok(place) => place,
+            Err(event) => return event,
+        };
+        let input = VertexInput { attributes, position: *position };
         let size = size.size(input, place.z).clamp(0, MOST);
         let half = size.cast_signed().wrapping_add(1) >> 1;
         // Before the corner is shaded: whether any of its square may be seen.
@@ -213,13 +270,15 @@ impl<H: Shader, P: Positions> Ready<'_, H, P> {
             let inside = v.wrapping_sub(low.wrapping_sub(half));
             inside as u32 > length.wrapping_add(half.wrapping_mul(2)) as u32
         };
-        if is_beside(place.x_bits(), area.left, area.right)
-            || is_beside(place.y_bits(), area.top, area.bottom)
-        {
+        if is_beside(place.x_bits(), area.left, area.right) {
             return Event::Outside;
         }
-        let corner: Option<Corner<H::Varying>> = draw.made(attribute, index, *positions);
-        let Some(corner) = corner else { return Event::Skipped };
+        // Or both are asked of every point.
+        forget();
+        if is_beside(place.y_bits(), area.top, area.bottom) {
+            return Event::Outside;
+        }
+        let corner: Corner<H::Varying> = draw.made_of(input, index, *positions);
         draw_point(&place, &corner, size, area, frame, state, &draw.bound())
     }
 }

@@ -1,4 +1,3 @@
-use crate::math::BY_HALVES;
 use crate::raster::{GUARD, SUBPIXELS};
 
 /// What is known of a vertex, as bits of [`Projected::flags`]; a triangle whose corners share one of
@@ -31,9 +30,6 @@ pub(crate) mod flag {
 }
 
 const _: () = assert!(i16::MAX as i32 <= GUARD * SUBPIXELS, "what 12.4 holds needs no clipping");
-
-/// Whether halves of words, as coordinates are, are factors of one instruction.
-pub(super) const HALVES_MULTIPLY: bool = cfg!(target_arch = "arm") && !BY_HALVES;
 
 /// By how much raised coordinates are above those that they stand for, so that none is below zero.
 pub(super) const RAISED: i32 = 1 << 15;

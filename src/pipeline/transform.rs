@@ -1,7 +1,7 @@
 use super::facing::facing;
 use super::mapping::Mapping;
 use super::{Clip, CulledWindings};
-use crate::math::{rolled, sum_of_products, whole, Mat4, Vec3, Vec4};
+use crate::math::{forget, rolled, sum_of_products, whole, Mat4, Vec3, Vec4, HALVES_MULTIPLY};
 use crate::scene::{Facing, PlaneScale};
 
 /// What limits the view in depth, and what depth is made of.
@@ -69,8 +69,9 @@ impl Depth {
 /// 35 instructions a vertex on Cortex-M4.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Transform {
-    /// Three mantissas and the translation, of x, y, z and w; z's are 0 where depth comes from w.
-    /// In words, which load in pairs.
+    /// Three mantissas and the translation, of x, y, w and z; z's are 0 where depth comes from w.
+    /// In words, which load in pairs; where halves are factors, those of x, y and w as [`packed`] has
+    /// them.
     rows: [[i32; 4]; 4],
     /// Whether depth comes from z.
     has_z: bool,
@@ -110,7 +111,7 @@ impl Transform {
     pub(super) fn set(&mut self, matrix: &Mat4, place: &Place, near: Option<f32>) -> Option<Depth> {
         let Mat4 { x, y, z, w } = matrix;
         let mut rows = [[0.0; 4]; 4];
-        let [to_x, to_y, to_z, to_w] = &mut rows;
+        let [to_x, to_y, to_w, to_z] = &mut rows;
         // The largest coordinate that any position can reach.
         let largest = place_row(to_x, place, x.x, y.x, z.x, w.x)
             .max(place_row(to_y, place, x.y, y.y, z.y, w.y))
@@ -134,6 +135,9 @@ impl Transform {
                 *number = whole(scaled + 0.5_f32.copysign(scaled));
             }
         }
+        if HALVES_MULTIPLY {
+            self.rows = packed(&self.rows);
+        }
         match near {
             None => Some(Depth::of_row(true)),
             Some(near) => Depth::of_w(near * unit),
@@ -145,20 +149,24 @@ impl Transform {
     /// Not inlined: the caller keeps its registers, and there is one copy of this.
     #[inline(never)]
     pub(crate) fn apply(&self, position: &[i16; 3]) -> Clip {
-        let [x, y, w] = self.sides(position);
+        let [x, y, w] = self.sides::<true>(position);
         Clip { x, y, z: self.z(position), w }
     }
 
-    /// x, y and w of the same, in place.
+    /// x, y and w of the same, in place; `APART` reads what makes w before all else.
     #[inline(always)]
-    pub(super) fn sides(&self, position: &[i16; 3]) -> [i32; 3] {
-        let [x, y, _, w] = &self.rows;
+    pub(super) fn sides<const APART: bool>(&self, position: &[i16; 3]) -> [i32; 3] {
+        if HALVES_MULTIPLY {
+            return transformed_by_halves::<APART>(&self.rows, position);
+        }
+        let [x, y, w, _] = &self.rows;
         [x, y, w].map(|row| transformed(row, position))
     }
 
-    #[cfg(test)]
-    pub(super) fn rows(&self) -> &[[i32; 4]; 4] {
-        &self.rows
+    /// Rows of x, y, z and w, not packed.
+    pub(super) fn rows(&self) -> [[i32; 4]; 4] {
+        let [x, y, w, z] = if HALVES_MULTIPLY { unpacked(&self.rows) } else { self.rows };
+        [x, y, z, w]
     }
 
     /// From where planes of triangles are seen through this.
@@ -168,20 +176,75 @@ impl Transform {
         culled: CulledWindings,
         scale: &PlaneScale,
     ) -> Facing {
-        let [x, y, z, w] = &self.rows;
+        let [x, y, z, w] = &self.rows();
         facing([x, y, w], self.has_z.then_some(z), mapping, culled, scale)
     }
 
     /// z of the same.
     #[inline(never)]
     pub(super) fn z(&self, position: &[i16; 3]) -> i32 {
-        let [_, _, z, _] = &self.rows;
+        let [_, _, _, z] = &self.rows;
         if self.has_z {
             transformed(z, position)
         } else {
             0
         }
     }
+}
+
+/// Rows of x, y and w with two mantissas a word, as [`transformed_by_halves`] takes them; the fourth
+/// as it is.
+///
+/// ```text
+/// | x: first, second | x: translation | y: first, second | y: translation |
+/// | w: first, second | w: translation | third of x, of y | third of w     |
+/// ```
+fn packed([x, y, w, z]: &[[i32; 4]; 4]) -> [[i32; 4]; 4] {
+    let pair = |low: i32, high: i32| low & 0xFFFF | high << 16;
+    let firsts = |row: &[i32; 4]| pair(row[0], row[1]);
+    [[firsts(x), x[3], firsts(y), y[3]], [firsts(w), w[3], pair(x[2], y[2]), w[2]], [0; 4], *z]
+}
+
+/// The rows that [`packed`] was given.
+fn unpacked(
+    [[x, x_offset, y, y_offset], [w, w_offset, thirds, third], _, z]: &[[i32; 4]; 4],
+) -> [[i32; 4]; 4] {
+    let halves = |pair: i32| (pair << 16 >> 16, pair >> 16);
+    let (x_third, y_third) = halves(*thirds);
+    let row = |pair: i32, third: i32, offset: i32| {
+        let (first, second) = halves(pair);
+        [first, second, third, offset]
+    };
+    [row(*x, x_third, *x_offset), row(*y, y_third, *y_offset), row(*w, *third, *w_offset), *z]
+}
+
+/// x, y and w in clip space by packed rows: the same as [`transformed`] gives, mantissas having 16
+/// bits.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "the lower half")]
+fn transformed_by_halves<const APART: bool>(
+    [xy, wc, ..]: &[[i32; 4]; 4],
+    position: &[i16; 3],
+) -> [i32; 3] {
+    let [p, q, r] = position.map(i32::from);
+    let (low, high) = (|pair: i32| i32::from(pair as i16), |pair: i32| pair >> 16);
+    let sum = |pair: i32, offset: i32, third: i32| {
+        offset
+            .wrapping_add(low(pair).wrapping_mul(p))
+            .wrapping_add(high(pair).wrapping_mul(q))
+            .wrapping_add(third.wrapping_mul(r))
+    };
+    if APART {
+        let [w, w_offset, thirds, third] = *wc;
+        let w = sum(w, w_offset, third);
+        // Or all is read at once, into registers that are not there.
+        forget();
+        let [x, x_offset, y, y_offset] = *xy;
+        return [sum(x, x_offset, low(thirds)), sum(y, y_offset, high(thirds)), w];
+    }
+    let [x, x_offset, y, y_offset] = *xy;
+    let [w, w_offset, thirds, third] = *wc;
+    [sum(x, x_offset, low(thirds)), sum(y, y_offset, high(thirds)), sum(w, w_offset, third)]
 }
 
 /// A coordinate in clip space. The translation comes first: where products accumulate, it is what
@@ -193,4 +256,36 @@ fn transformed([a, b, c, offset]: &[i32; 4], position: &[i16; 3]) -> i32 {
         .wrapping_add(a.wrapping_mul(p))
         .wrapping_add(b.wrapping_mul(q))
         .wrapping_add(c.wrapping_mul(r))
+}
+
+#[cfg(test)]
+#[allow(clippy::cast_possible_truncation, reason = "halves of words")]
+mod tests {
+    use super::{packed, transformed, transformed_by_halves, unpacked};
+    use crate::math::hard_numbers::Random;
+
+    #[test]
+    fn packed_rows_give_what_the_rows_give() {
+        let mut random = Random::new(35);
+        for round in 0..100_000_u32 {
+            // A mantissa has 16 bits, a position too; ends among them.
+            let mut half = || match random.word() % 8 {
+                0 => i16::MIN,
+                1 => i16::MAX,
+                _ => (random.word() as i16) >> (round % 15),
+            };
+            let position = [half(), half(), half()];
+            let mut row = || {
+                let [a, b, c] = [half(), half(), half()].map(i32::from);
+                [a, b, c, i32::from(half()) << 14]
+            };
+            let rows = [row(), row(), row(), row()];
+            let [x, y, w, _] = rows;
+            let expected = [x, y, w].map(|row| transformed(&row, &position));
+            let packed = packed(&rows);
+            assert_eq!(transformed_by_halves::<true>(&packed, &position), expected, "{rows:?}");
+            assert_eq!(transformed_by_halves::<false>(&packed, &position), expected, "{rows:?}");
+            assert_eq!(unpacked(&packed), rows, "they are what they were");
+        }
+    }
 }

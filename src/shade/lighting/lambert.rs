@@ -1,6 +1,7 @@
 use super::surface::{cosine, vertex_cosine};
 use super::{Beam, LightKind, Lighting, Surface};
 use crate::color::{Rgb, Rgb16};
+use crate::math::forget;
 use crate::scene::{DirectionalLight, Light, Normal};
 use crate::shade::{Coloring, DrawContext, VertexInput};
 
@@ -41,11 +42,11 @@ impl<const N: usize, K: Copy> Lambert<N, K> {
     }
 }
 
-/// Lights in mesh space, multiplied with the material.
+/// Lights in mesh space, multiplied with the material, a word a channel: words load in pairs.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedLambert<const N: usize, K: LightKind = DirectionalLight> {
-    ambient: Rgb16,
-    lights: [(K::Prepared, Rgb16); N],
+    ambient: [u32; 3],
+    lights: [(K::Prepared, [u32; 3]); N],
     /// Whether all of the light together is more than a colour holds.
     is_bright: bool,
 }
@@ -55,14 +56,21 @@ impl<const N: usize, K: LightKind> PreparedLambert<N, K> {
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "limited to 16 bits")]
     fn sum(&self, position: [i16; 3], cosine: impl Fn(&[i32; 3]) -> u32) -> Rgb16 {
-        let mut sum = [self.ambient.r, self.ambient.g, self.ambient.b].map(u32::from);
+        let mut sum = [0_u32; 3];
         for (kind, color) in &self.lights {
             let Beam { direction, strength } = K::beam(kind, position);
             // No more than all, whatever a kind of light says.
             let share = (cosine(&direction).wrapping_mul(strength) >> 15).min(1 << 15);
-            for (sum, channel) in sum.iter_mut().zip([color.r, color.g, color.b]) {
-                *sum = sum.wrapping_add(share.wrapping_mul(channel.into()) >> 15);
+            if N == 1 {
+                // Channels are read here, or the normal has no registers.
+                forget();
             }
+            for (sum, channel) in sum.iter_mut().zip(color) {
+                *sum = sum.wrapping_add(share.wrapping_mul(*channel) >> 15);
+            }
+        }
+        for (sum, channel) in sum.iter_mut().zip(&self.ambient) {
+            *sum = sum.wrapping_add(*channel);
         }
         if self.is_bright {
             sum = sum.map(|channel| channel.min(Rgb16::FULL.into()));
@@ -80,16 +88,15 @@ impl<const N: usize, K: LightKind> Lighting for Lambert<N, K> {
     fn lights(&self, draw: &DrawContext) -> PreparedLambert<N, K> {
         let lights = self
             .lights
-            .map(|light| (light.kind.prepare(draw), times(light.color(), self.material)));
-        let ambient = times(self.ambient, self.material);
-        let exceeds = |channel: fn(&Rgb16) -> u16| {
-            let sum = lights.iter().fold(u32::from(channel(&ambient)), |sum, (_, color)| {
-                sum.saturating_add(channel(color).into())
-            });
-            sum > u32::from(Rgb16::FULL)
-        };
-        let is_bright =
-            exceeds(|color| color.r) || exceeds(|color| color.g) || exceeds(|color| color.b);
+            .map(|light| (light.kind.prepare(draw), words(light.color(), self.material)));
+        let ambient = words(self.ambient, self.material);
+        let mut most = ambient;
+        for (_, color) in &lights {
+            for (most, channel) in most.iter_mut().zip(color) {
+                *most = most.saturating_add(*channel);
+            }
+        }
+        let is_bright = most.iter().any(|channel| *channel > u32::from(Rgb16::FULL));
         PreparedLambert { ambient, lights, is_bright }
     }
 
@@ -123,6 +130,12 @@ pub(super) fn times(a: Rgb, b: Rgb) -> Rgb16 {
     Rgb16::new(channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b))
 }
 
+/// The same, a word a channel.
+fn words(a: Rgb, b: Rgb) -> [u32; 3] {
+    let Rgb16 { r, g, b } = times(a, b);
+    [r, g, b].map(u32::from)
+}
+
 /// The product of a channel and a share of it, 65535 being all; rounded to nearest.
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation, reason = "no more than the channel")]
@@ -148,18 +161,15 @@ mod tests {
             let scale = 1 + random.word() % 3;
             let halved = |channel: u8| u32::from(channel) / scale;
             let dimmed = |c: Rgb| Rgb::new(halved(c.r) as u8, halved(c.g) as u8, halved(c.b) as u8);
-            let ambient = times(dimmed(ambient), material);
-            let colors = colors.map(|color| times(dimmed(color), material));
+            let ambient = words(dimmed(ambient), material);
+            let colors = colors.map(|color| words(dimmed(color), material));
             let lights = colors.map(|color| {
                 // As long as a direction gets by rounding, or a little longer.
                 let mut axis = || (random.float(16_520.0)) as i32;
                 ([axis(), axis(), axis()], color)
             });
-            let sum = |channel: fn(&Rgb16) -> u16| {
-                u32::from(channel(&ambient))
-                    + colors.iter().map(|color| u32::from(channel(color))).sum::<u32>()
-            };
-            let most = sum(|c| c.r).max(sum(|c| c.g)).max(sum(|c| c.b));
+            let sum = |i: usize| ambient[i] + colors.iter().map(|color| color[i]).sum::<u32>();
+            let most = sum(0).max(sum(1)).max(sum(2));
             let is_bright = most > u32::from(Rgb16::FULL);
             *(if is_bright { &mut bright } else { &mut dim }) += 1;
             let prepared = PreparedLambert::<2, DirectionalLight> { ambient, lights, is_bright };
@@ -173,14 +183,13 @@ mod tests {
                     material: Rgb::WHITE,
                 };
                 // The definition: every channel limited.
-                let channel = |of: fn(&Rgb16) -> u16| {
-                    let sum = lights.iter().fold(u32::from(of(&ambient)), |sum, (way, color)| {
-                        sum + ((cosine(&surface.normal, way) * u32::from(of(color))) >> 15)
+                let channel = |i: usize| {
+                    let sum = lights.iter().fold(ambient[i], |sum, (way, color)| {
+                        sum + ((cosine(&surface.normal, way) * color[i]) >> 15)
                     });
                     sum.min(Rgb16::FULL.into()) as u16
                 };
-                let expected =
-                    Rgb16 { r: channel(|c| c.r), g: channel(|c| c.g), b: channel(|c| c.b) };
+                let expected = Rgb16 { r: channel(0), g: channel(1), b: channel(2) };
                 assert_eq!(lambert.color(&prepared, input), expected, "{input:?} by {prepared:?}");
                 assert_eq!(
                     lambert.shine(&prepared, &surface),

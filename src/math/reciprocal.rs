@@ -41,7 +41,7 @@ static SEEDS: [u16; 128] = {
 ///
 /// # Cost
 ///
-/// Four multiplications, one of them 32 x 32 to the high 32 bits and one 32 x 16; 256 bytes of table.
+/// Four multiplications, two of them longer than 32 bits; 256 bytes of table.
 ///
 /// ```
 /// use microraster::math::reciprocal;

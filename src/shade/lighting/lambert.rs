@@ -12,7 +12,7 @@ use crate::shade::{Coloring, DrawContext, VertexInput};
 /// differs by axis the light is only near.
 ///
 /// # Cost
-/// About 35 instructions a vertex and light on Cortex-M4, 60 on Cortex-M0+; directions go into model
+/// About 30 instructions a vertex and light on Cortex-M4, 50 on Cortex-M0+; directions go into model
 /// space once a draw, so that normals are never transformed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lambert<const N: usize, K = DirectionalLight> {

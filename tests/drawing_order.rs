@@ -15,10 +15,10 @@ use fixed::types::I8F8;
 use microraster::raster::{BoundingBox, ScreenVertex};
 use microraster::texture::{Mirror, Repeat, Replace, Sampler, Texture};
 use microraster::{
-    Adaptive, AnyMask, AtFragments, Color, ConstantDepth, Corner, Damage, DepthRange, Equal, Every,
-    Exact, Flat, Fog, Fogged, Format, Frame, Gouraud, Greater, Invert, Keep, Less, LessEqual,
-    PerspectiveCorner, PolygonOffset, ReadOnly, Rect, Rgb, Rgb565, Rgba8888, ScreenPass, Shader,
-    Size, Stats, Stencil, Stenciled, Textured,
+    Adaptive, AnyMask, AtFragments, Color, ConstantDepth, Corner, Damage, DepthRange, DrawContext,
+    Equal, Every, Exact, Flat, Fog, Fogged, Format, Frame, Gouraud, Greater, Invert, Keep, Less,
+    LessEqual, PerspectiveCorner, PolygonOffset, ReadOnly, Rect, Rgb, Rgb565, Rgba8888, Row,
+    ScreenPass, Shader, Size, SmoothColor, State, Stats, Stencil, Stenciled, Textured, VertexInput,
 };
 use support::Random;
 
@@ -100,6 +100,8 @@ macro_rules! compare {
             let mut values = vec![3; place.depth_stride as usize * rows];
             let picture = Size::new(place.size.width, place.picture_height);
             let (mut stats, mut damage) = (Stats::default(), Damage::new(picture));
+            // Of the first picture, all is damage.
+            damage.next_picture();
             let mut frame = Frame::<$format>::with_stride(&mut pixels, place.size, place.stride)
                 .and_then(|frame| frame.with_depth_stride(&mut codes, place.depth_stride))
                 .and_then(|frame| frame.with_stencil_stride(&mut values, place.depth_stride))
@@ -269,4 +271,40 @@ fn pixels_are_those_of_rows_from_the_first() {
         };
     }
     assert!(pixels.iter().all(|count| *count > 4000), "{pixels:?}");
+}
+
+/// A smooth colour in a pixel loop that begins with the row's first value.
+struct FromFirst;
+
+impl Shader for FromFirst {
+    type Vertex = ();
+    type Varying = SmoothColor;
+    type Prepared = ();
+
+    fn prepare(&self, _: &DrawContext) {}
+
+    fn vertex(&self, (): &(), _: VertexInput<'_, ()>) -> Color {
+        Color::default()
+    }
+
+    fn fragment(&self, (): &(), varying: &SmoothColor) -> Option<Color> {
+        Some(varying.color())
+    }
+
+    fn span<S: State, F: Format>(&self, (): &(), row: Row<'_, S, F, SmoothColor>) {
+        let first = *row.varying();
+        row.convert(|_, step| (first, step)).each(|varying| self.fragment(&(), varying));
+    }
+}
+
+#[test]
+fn rows_begin_with_the_value_at_their_first_pixel() {
+    let mut random = Random(88);
+    let mut pixels = 0;
+    for _ in 0..1500 {
+        let place = Place::random(&mut random, false);
+        let triangles = place.triangles(&mut random, any_color);
+        pixels += states(&mut random, place, &triangles, &FromFirst);
+    }
+    assert!(pixels > 4000, "{pixels}");
 }

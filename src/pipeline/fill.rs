@@ -558,7 +558,10 @@ impl<V: Varying> Ready<V> {
         let span = Span { y, first: left, left, right, behind: right };
         let mut runs = V::runs(planes, &span);
         let (pixels, cells) = window.next_row(y, left, length)?;
-        let (varying, step, _) = V::run(planes, &mut runs, &span, right);
+        let (mut varying, step, _) = V::run(planes, &mut runs, &span, right);
+        let behind = Some((varying, z_plane.at(right, y)));
+        // For a shader's own loop.
+        varying.jump(&step, left.wrapping_sub(right));
         shader.span(Row::<S, F, V> {
             x: left,
             y,
@@ -569,7 +572,7 @@ impl<V: Varying> Ready<V> {
             may_be_level: false,
             varying,
             step,
-            behind: Some((varying, z_plane.at(right, y))),
+            behind,
             depth,
             output,
             counter,

@@ -84,7 +84,7 @@ impl Sides {
 /// `side` must have no more than 14 bits, `zeros` is the number of zeros above those of the longest
 /// side, and `room` is below that.
 #[inline(always)]
-pub(super) const fn high_of_short(side: i32, zeros: u32, room: u32, mantissa: u32) -> i32 {
+const fn high_of_short(side: i32, zeros: u32, room: u32, mantissa: u32) -> i32 {
     // 15 bits and the sign, times halves of 15 and 16.
     let side = side.wrapping_shl(zeros.wrapping_sub(17));
     let (high, low) = ((mantissa >> 16).cast_signed(), (mantissa & 0xFFFF).cast_signed());

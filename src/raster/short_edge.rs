@@ -1,4 +1,4 @@
-use super::{Edge, Point};
+use super::Point;
 use crate::math::BY_HALVES;
 
 /// An edge of a short triangle, walked by one addition a row: exact all the same.
@@ -8,7 +8,7 @@ use crate::math::BY_HALVES;
 /// 9/8 of a unit a row, so that after 14 rows and a cut x is off by less than 17: less than half of
 /// what lies between two possible crossings. Adding a little less than one ([`ROUND_UP`]) and
 /// cutting off is then the exact ceil(crossing - 1/2).
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct ShortEdge {
     /// Columns with 17 fraction bits, with [`ROUND_UP`] in it.
     pub(super) x: i32,
@@ -89,18 +89,6 @@ impl ShortEdge {
     #[inline(always)]
     pub(super) const fn after(&self, rows: i32) -> Self {
         Self { x: self.x.wrapping_add(self.step.wrapping_mul(rows)), step: self.step }
-    }
-}
-
-impl Edge for ShortEdge {
-    #[inline(always)]
-    fn column(&self) -> i32 {
-        self.x >> FRACTION
-    }
-
-    #[inline(always)]
-    fn step(&mut self) {
-        self.x = self.x.wrapping_add(self.step);
     }
 }
 

@@ -8,8 +8,8 @@
 //!
 //! Where each of two coordinates of three corners may be off by e, twice the area is off by at most e L + 4 e^2,
 //! L being the sum of the six sides of the triangle's edges along x and y: a corner's step is multiplied with the edge
-//! that faces it, and products of two steps make twice a triangle in a square of side 2 e. No triangle has twice the
-//! area L^2 / 16, the half of its box. So where twice the area is at least 1.21 e L, L is at least 19.36 e and 4 e^2
+//! that faces it, and products of two steps make twice a triangle in a square of side 2 e. Twice the area of a
+//! triangle is at most that of its box, which is at most L^2 / 16. So where twice the area is at least 1.21 e L, L is at least 19.36 e and 4 e^2
 //! at most 0.207 e L: the area has its sign.
 //!
 //! An edge's side along x is what x / w gains on it: at most its length times the largest |grad x - t grad w| for

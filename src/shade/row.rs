@@ -117,8 +117,8 @@ pub struct Row<'a, S: State, F: Format, V: Stepped> {
     /// Depth at the first pixel, 16.16, and its step.
     pub(crate) z: u32,
     pub(crate) z_step: u32,
-    /// Whether to ask if the row is long and of one depth: not of points and lines, whose rows are
-    /// short and would pay for the question.
+    /// Whether to ask if the row is long and of one depth: not of points, lines and short triangles,
+    /// most of whose rows are short and would pay for the question.
     pub(crate) may_be_level: bool,
     pub(crate) varying: V,
     pub(crate) step: V::Step,
@@ -343,7 +343,8 @@ impl<'a, S: State, F: Format, V: Stepped> Row<'a, S, F, V> {
     /// # Cost
     /// Without depth, that of [`Format::fill`]: a quarter of an instruction a 16-bit pixel on Cortex-M4
     /// in rows of 160.
-    /// With depth 9 instructions a pixel, and 7 in rows of one depth from 12 pixels on.
+    /// With depth 9 instructions a pixel, and 7 in rows of one depth from 12 pixels on where the
+    /// triangle is higher than 14 pixels.
     #[inline(always)]
     pub fn fill(self, color: Color) {
         let output = self.output;

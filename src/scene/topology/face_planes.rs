@@ -11,9 +11,11 @@ const RAISED: i64 = 128;
 /// The planes of a mesh's triangles, by which those that certainly show the side that is left out are
 /// passed over: neither their indices nor their vertices are looked at.
 ///
-/// Where a mesh has them, [`Cull::Back`](crate::Cull::Back) asks the plane of a triangle first. The
-/// picture is the same bit for bit: a triangle that is seen from so near its plane that rounding to
-/// subpixels could turn it is asked by its corners, as every triangle is without planes.
+/// Where a mesh has them, [`Cull::Back`](crate::Cull::Back) and [`Cull::Front`](crate::Cull::Front)
+/// ask the plane of a triangle first. The picture is the same bit for bit: a triangle that is seen from
+/// so near its plane that rounding to subpixels could turn it is asked by its corners, as every triangle
+/// is without planes. [`Stats`](crate::Stats) count what is passed over as culled, also where it lies
+/// beside the view or has no area there.
 ///
 /// ```
 /// use microraster::models::{TEAPOT, TEAPOT_INDICES, TEAPOT_POSITIONS};
@@ -27,8 +29,10 @@ const RAISED: i64 = 128;
 /// ```
 ///
 /// # Range
-/// Planes are asked where clipping cannot matter: all of the box of the mesh's positions lies between the near and the far plane and within 2000 pixels of the middle of the picture.
-/// Elsewhere, and where the shader has positions of its own, the mesh is drawn as if it had none.
+/// Planes are asked where clipping cannot matter: where all positions that lie no farther from 0 than
+/// the mesh's [reach](PlaneScale::reach) are between the near and the far plane, and by either axis within
+/// 2000 pixels of the viewport's middle, and the viewport has no more than 4094 pixels a side and 2^22 in
+/// all. Elsewhere, and where the shader has positions of its own, the mesh is drawn as if it had none.
 ///
 /// Planes of other positions than the mesh has leave out triangles that are seen.
 ///
@@ -111,7 +115,8 @@ impl PlaneScale {
         planes
     }
 
-    /// The plane of one triangle.
+    /// The plane of one triangle, whose corners run counter-clockwise at its front: the order in which its mesh
+    /// has them. One without area has a plane that leaves out nothing.
     #[must_use]
     pub const fn plane(self, corners: [[i16; 3]; 3]) -> FacePlane {
         let Shape { normal, perimeter, offset } = Shape::of(corners);

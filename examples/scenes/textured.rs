@@ -40,9 +40,15 @@ static COLORS: [Rgb; 4] = [Rgb::RED, Rgb::GREEN, Rgb::BLUE, Rgb::WHITE];
 static INDICES: [u16; 6] = [0, 1, 2, 0, 2, 3];
 
 /// The list.
-pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 3] {
+pub(crate) fn scenes<P: Probe>() -> [Scene<P>; 5] {
     let scene = |name, draw| Scene { name, group: Group::Standard, frames: 1, bunny: false, draw };
-    [scene("F4", f4::<P>), scene("F5", f5::<P>), scene("F5m", f5m::<P>)]
+    [
+        scene("F4", f4::<P>),
+        scene("F5", f5::<P>),
+        scene("F5m", f5m::<P>),
+        scene("F5-rolled", f5_rolled::<P>),
+        scene("F5m-rolled", f5m_rolled::<P>),
+    ]
 }
 
 /// The quad from (-1.6, -0.81, -2) to (1.6, 1.6, -4).
@@ -58,6 +64,7 @@ fn draw<P: Probe, A, S: Shader<Vertex = A>>(
     probe: &mut P,
     shader: &S,
     attributes: &[A],
+    model: &Mat4,
 ) -> Facts {
     let Stage { color, depth, .. } = stage;
     if let Ok(frame) = Frame::<Rgb565>::new(bytemuck::cast_slice_mut(color), SIZE) {
@@ -67,12 +74,12 @@ fn draw<P: Probe, A, S: Shader<Vertex = A>>(
             let (pass, mesh) = (Pass::new(&camera).depth(Less), quad(attributes));
             if P::COUNTING {
                 let mut stats = Stats::default();
-                pass.count(&mut stats).draw(&mut frame, &Mat4::identity(), &mesh, shader);
+                pass.count(&mut stats).draw(&mut frame, model, &mesh, shader);
                 probe.pixels(stats.pixels.into());
                 probe.skipped(stats.skipped);
             } else {
                 let mut pass = pass;
-                probe.measure(|| pass.draw(&mut frame, &Mat4::identity(), &mesh, shader));
+                probe.measure(|| pass.draw(&mut frame, model, &mesh, shader));
             }
         }
     }
@@ -83,31 +90,54 @@ fn draw<P: Probe, A, S: Shader<Vertex = A>>(
 fn f4<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
     match Sampler::nearest(TEXTURE) {
         Ok(sampler) => {
-            draw(stage, probe, &Textured::new(sampler), &PLACES.map(|place| ((), place)))
+            let attributes = PLACES.map(|place| ((), place));
+            draw(stage, probe, &Textured::new(sampler), &attributes, &Mat4::identity())
         }
         Err(_) => Facts { bytes: 0, triangles: 0 },
     }
 }
 
 /// Between texels.
-fn f5<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+fn bilinear<P: Probe>(stage: &mut Stage<'_>, probe: &mut P, model: &Mat4) -> Facts {
     match Sampler::bilinear(TEXTURE) {
         Ok(sampler) => {
-            draw(stage, probe, &Textured::new(sampler), &PLACES.map(|place| ((), place)))
+            let attributes = PLACES.map(|place| ((), place));
+            draw(stage, probe, &Textured::new(sampler), &attributes, model)
         }
         Err(_) => Facts { bytes: 0, triangles: 0 },
     }
 }
 
 /// Between texels, multiplied with an interpolated colour.
-fn f5m<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+fn multiplied<P: Probe>(stage: &mut Stage<'_>, probe: &mut P, model: &Mat4) -> Facts {
     match Sampler::bilinear(TEXTURE) {
         Ok(sampler) => {
             let shader = Textured::on(Gouraud::colored(), sampler);
             let [a, b, c, d] = COLORS;
             let [e, f, g, h] = PLACES;
-            draw(stage, probe, &shader, &[(a, e), (b, f), (c, g), (d, h)])
+            draw(stage, probe, &shader, &[(a, e), (b, f), (c, g), (d, h)], model)
         }
         Err(_) => Facts { bytes: 0, triangles: 0 },
     }
+}
+
+fn f5<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    bilinear(stage, probe, &Mat4::identity())
+}
+
+fn f5m<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    multiplied(stage, probe, &Mat4::identity())
+}
+
+/// About the line of sight: no row of pixels is one of texels.
+fn rolled() -> Mat4 {
+    Mat4::rotation_z(Angle::from_degrees(10.0))
+}
+
+fn f5_rolled<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    bilinear(stage, probe, &rolled())
+}
+
+fn f5m_rolled<P: Probe>(stage: &mut Stage<'_>, _frame: u32, probe: &mut P) -> Facts {
+    multiplied(stage, probe, &rolled())
 }

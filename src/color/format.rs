@@ -38,6 +38,14 @@ pub trait Format {
         core::array::from_fn(|lane| Self::pack(channels.at(lane)))
     }
 
+    /// The stored value of a colour whose channels, red, green and blue, are products below 2^25: 512 times
+    /// a colour's. Its alpha is that of a [`Color`].
+    #[doc(hidden)]
+    #[inline(always)]
+    fn pack_products([red, green, blue]: [u32; 3], alpha: u32) -> Self::Raw {
+        Self::pack(Color { blue_red: blue >> 9 << 16 | red >> 9, green: green >> 9 << 16 | alpha })
+    }
+
     /// The colour of a stored value; `pack(unpack(raw)) == raw`.
     fn unpack(raw: Self::Raw) -> Color;
 

@@ -92,6 +92,12 @@ impl Format for Rgb565 {
     }
 
     #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "16 bits are set")]
+    fn pack_products([red, green, blue]: [u32; 3], _alpha: u32) -> u16 {
+        (red >> 9 & 0xF800 | green >> 14 & 0x07E0 | blue >> 20) as u16
+    }
+
+    #[inline(always)]
     fn pack_lanes(channels: &ChannelLanes) -> [u16; LANES] {
         let ChannelLanes { red, green, blue, .. } = channels;
         core::array::from_fn(|i| red[i] & 0xF800 | green[i] >> 5 & 0x07E0 | blue[i] >> 11)

@@ -19,6 +19,7 @@ mod perspective;
 mod phong;
 mod point_coordinates;
 mod row;
+mod row_blocks;
 mod row_fill;
 mod row_lanes;
 mod scalar;

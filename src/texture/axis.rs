@@ -94,6 +94,25 @@ impl Axis {
     }
 
     /// The same where long products are dear.
+    /// The texel before one; before the first one is the last.
+    #[inline(always)]
+    pub(in crate::texture) const fn previous(&self, number: u32) -> u32 {
+        number.wrapping_sub(1) & self.last
+    }
+
+    /// The texel's number, and how far behind it the place lies in 2^-32 of a texel, of a turned coordinate.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "halves of a product")]
+    pub(in crate::texture) const fn fine_place(&self, turned: i32) -> (u32, u32) {
+        if BY_HALVES {
+            let (number, _) = self.place_by_shifts(turned);
+            (number, turned.cast_unsigned().wrapping_mul(self.side()))
+        } else {
+            let product = (turned.cast_unsigned() as u64).wrapping_mul(self.side() as u64);
+            ((product >> 32) as u32, product as u32)
+        }
+    }
+
     #[inline(always)]
     const fn place_by_shifts(&self, turned: i32) -> (u32, u32) {
         let place = turned.cast_unsigned().wrapping_shr(self.below);

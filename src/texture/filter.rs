@@ -8,6 +8,10 @@ pub trait Filter: Copy {
     #[doc(hidden)]
     const IN_LANES: bool = false;
 
+    /// Whether rows are worth mixing before they are drawn, if the format says so too.
+    #[doc(hidden)]
+    const IN_ROWS: bool = false;
+
     /// A coordinate as the filter takes it and a run of pixels steps it, by what
     /// [`Wrap::turned`] makes of the way.
     fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32;
@@ -37,6 +41,21 @@ pub trait Filter: Copy {
         _uv: [i32; 2],
         _way: [i32; 2],
         _squares: &mut [Squares],
+    ) -> Option<()> {
+        None
+    }
+
+    /// Mixes pixels side by side that have one v.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mix_row<T: TexelFormat, U: Wrap, V: Wrap>(
+        self,
+        _texture: &Texture<'_, T>,
+        _wraps: (U, V),
+        _axes: &[Axis; 2],
+        _uv: [i32; 2],
+        _way: i32,
+        _mixed: &mut [u32],
     ) -> Option<()> {
         None
     }
@@ -135,6 +154,7 @@ fn edge_pairs<T: TexelFormat, U: Wrap, V: Wrap>(
 
 impl Filter for Bilinear {
     const IN_LANES: bool = true;
+    const IN_ROWS: bool = true;
 
     #[inline(always)]
     fn begin<T: TexelFormat, W: Wrap>(self, wrap: W, axis: &Axis, at: i32) -> i32 {
@@ -192,6 +212,24 @@ impl Filter for Bilinear {
             })?;
         }
         Some(())
+    }
+
+    #[inline(never)]
+    fn mix_row<T: TexelFormat, U: Wrap, V: Wrap>(
+        self,
+        texture: &Texture<'_, T>,
+        (_, down): (U, V),
+        [u_axis, v_axis]: &[Axis; 2],
+        [u, v]: [i32; 2],
+        way: i32,
+        mixed: &mut [u32],
+    ) -> Option<()> {
+        let (_, y) = down.place(v_axis, v, T::PLACES);
+        let [_, y] = Weights::new(0, y).coarse();
+        let rows = down.pair(v_axis, v, T::PLACES);
+        let rows = rows.map(|number| texture.words_at(u_axis.row(number), u_axis.row(1)));
+        let [Some(upper), Some(lower)] = rows else { return None };
+        T::mix_row([upper, lower], y, u_axis, [u, way], mixed)
     }
 }
 

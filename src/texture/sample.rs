@@ -1,5 +1,5 @@
 use super::{Environment, Footprint, Modulate, Squares};
-use crate::color::Color;
+use crate::color::{Color, Format};
 use crate::shade::Uv;
 
 /// What gives a colour at a place of a texture: a sampler of any kind.
@@ -10,6 +10,10 @@ pub trait Sample {
     /// Whether several pixels are worth fetching at a time: then it [gathers](Self::gather).
     #[doc(hidden)]
     const IN_LANES: bool = false;
+
+    /// Whether there are [rows](Self::mixes) worth mixing before they are drawn.
+    #[doc(hidden)]
+    const IN_ROWS: bool = false;
 
     /// What suits pixels of this footprint; `footprint` is made only where it is needed.
     fn level(&self, footprint: impl FnOnce() -> Footprint) -> Self::Level;
@@ -50,5 +54,28 @@ pub trait Sample {
     #[inline(always)]
     fn gather(&self, _uv: Uv, _way: Uv, _squares: &mut [Squares]) -> Option<()> {
         None
+    }
+
+    /// Whether a row in which coordinates that have [begun](Self::begin) go on by `way` is worth mixing: v stays the
+    /// same, and u goes right by less than a texel a pixel.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mixes(&self, _way: Uv) -> bool {
+        false
+    }
+
+    /// Mixes what [`show_mixed`](Self::show_mixed) shows, of pixels side by side from `uv` on, which has
+    /// [begun](Self::begin) and whose u goes on by `way`.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mix_row(&self, _uv: Uv, _way: i32, _mixed: &mut [u32]) -> Option<()> {
+        None
+    }
+
+    /// A pixel that was mixed, [multiplied](Modulate) with that of a `surface`.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn show_mixed<F: Format>(_mixed: u32, surface: Option<Color>) -> F::Raw {
+        F::pack(surface.unwrap_or_default())
     }
 }

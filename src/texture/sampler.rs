@@ -2,7 +2,7 @@ use super::{
     Axis, Bilinear, Filter, Footprint, Nearest, Repeat, Sample, Squares, TexelFormat, Texture,
     TextureError, Wrap,
 };
-use crate::color::Color;
+use crate::color::{Color, Format};
 use crate::shade::Uv;
 
 /// A texture and how it is read.
@@ -147,6 +147,7 @@ impl<T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sample for Sampler<'_, T, F, U
     type Level = Self;
 
     const IN_LANES: bool = F::IN_LANES && T::IN_LANES;
+    const IN_ROWS: bool = F::IN_ROWS && T::IN_ROWS && U::TURNS;
 
     #[inline(always)]
     fn level(&self, _footprint: impl FnOnce() -> Footprint) -> Self {
@@ -184,4 +185,25 @@ impl<T: TexelFormat, F: Filter, U: Wrap, V: Wrap> Sample for Sampler<'_, T, F, U
         let Self { texture, axes, filter, wraps, .. } = self;
         filter.gather(texture, *wraps, axes, [uv.u, uv.v], [way.u, way.v], squares)
     }
+
+    #[inline(always)]
+    fn mixes(&self, way: Uv) -> bool {
+        let [u_axis, _] = &self.axes;
+        way.v == 0 && u_axis.fine_place(way.u).0 == 0
+    }
+
+    #[inline(always)]
+    fn mix_row(&self, uv: Uv, way: i32, mixed: &mut [u32]) -> Option<()> {
+        let Self { texture, axes, filter, wraps, .. } = self;
+        filter.mix_row(texture, *wraps, axes, [uv.u, uv.v], way, mixed)
+    }
+
+    #[inline(always)]
+    fn show_mixed<O: Format>(mixed: u32, surface: Option<Color>) -> O::Raw {
+        T::show_mixed::<O>(mixed, surface)
+    }
 }
+
+#[cfg(test)]
+#[path = "sampler_tests.rs"]
+mod tests;

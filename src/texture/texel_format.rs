@@ -1,5 +1,5 @@
-use super::{Environment, Modulate, Weights};
-use crate::color::Color;
+use super::{Axis, Environment, Modulate, Weights};
+use crate::color::{Color, Format};
 
 /// How the texels of a [`Texture`](super::Texture) are stored.
 ///
@@ -83,6 +83,31 @@ pub trait TexelFormat {
     #[inline(always)]
     fn pairs(_words: &[Self::Word], _index: usize, _row: usize) -> Option<[u32; 2]> {
         None
+    }
+
+    /// Whether rows are worth mixing before they are drawn.
+    #[doc(hidden)]
+    const IN_ROWS: bool = false;
+
+    /// Mixes pixels side by side from two rows of texels, `y` in units of 2^-5 below the upper one; of turned
+    /// coordinates, u and its way, which is less than a texel to the right.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mix_row(
+        _rows: [&[Self::Word]; 2],
+        _y: u32,
+        _axis: &Axis,
+        _u_and_way: [i32; 2],
+        _mixed: &mut [u32],
+    ) -> Option<()> {
+        None
+    }
+
+    /// What was mixed, [multiplied](super::Modulate) with the colour of a `surface`, as it is stored.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn show_mixed<F: Format>(_mixed: u32, surface: Option<Color>) -> F::Raw {
+        F::pack(surface.unwrap_or_default())
     }
 }
 

@@ -141,6 +141,12 @@ impl<'a, T: TexelFormat> Texture<'a, T> {
         T::blend_square(self.words, place, row, corners, weights, constants, surface)
     }
 
+    /// So many words from one on; `None` beyond the data.
+    #[inline(always)]
+    pub(super) fn words_at(&self, first: usize, length: usize) -> Option<&[T::Word]> {
+        self.words.get(first..)?.get(..length)
+    }
+
     /// Texel `place` and the one behind it, and both below; `None` beyond the data.
     #[inline(always)]
     pub(super) fn pairs(&self, place: usize, row: usize) -> Option<[u32; 2]> {

@@ -8,6 +8,9 @@ pub trait Wrap: Copy {
     const ANY_SIZE: bool;
     /// Whether all that [`place`](Self::place) gives are numbers of texels.
     const ENDLESS: bool;
+    /// Whether places are those of turned coordinates, which go on behind the last texel.
+    #[doc(hidden)]
+    const TURNS: bool = false;
 
     /// A coordinate (or the way to the next pixel's) turned as this wrap steps it over a run of
     /// pixels: linear modulo 2^32.
@@ -47,6 +50,7 @@ pub struct Repeat;
 impl Wrap for Repeat {
     const ANY_SIZE: bool = false;
     const ENDLESS: bool = true;
+    const TURNS: bool = true;
 
     #[inline(always)]
     fn turned(self, axis: &Axis, at: i32) -> i32 {

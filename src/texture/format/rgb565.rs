@@ -1,6 +1,6 @@
-use crate::color::{Color, Rgb565, HAS_VECTORS};
-use crate::math::{rare, BY_HALVES};
-use crate::texture::{PaletteEntry, TexelFormat, Weights};
+use crate::color::{Color, Format, Rgb565, HAS_VECTORS};
+use crate::math::{forget, rare, BY_HALVES};
+use crate::texture::{Axis, PaletteEntry, TexelFormat, Weights};
 
 /// Bits are repeated: what goes into an RGB565 frame unchanged is the texel's own bits, and in
 /// RGBA8888 it is within one step of r/31, g/63, b/31.
@@ -106,6 +106,68 @@ impl TexelFormat for Rgb565 {
         let [[a, b], [c, d]] = square_at(words, index, row)?;
         Some([Self::pair(*a, *b), Self::pair(*c, *d)])
     }
+
+    const IN_ROWS: bool = !HAS_VECTORS;
+
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "of a picture")]
+    fn mix_row(
+        rows: [&[u16]; 2],
+        y: u32,
+        axis: &Axis,
+        [u, way]: [i32; 2],
+        mixed: &mut [u32],
+    ) -> Option<()> {
+        let constants = core::hint::black_box(Self::CONSTANTS);
+        let [fields, halves] = constants;
+        let spread = |number: u32| {
+            let texels = rows.map(|row| row.get(number as usize));
+            let [Some(upper), Some(lower)] = texels else { return None };
+            Some([upper, lower].map(|t| (u32::from(*t) | u32::from(*t) << 16) & fields))
+        };
+        // From behind the last pixel: what is made of four texels is kept until the fraction goes below zero, and then
+        // those on the left are the ones on the right.
+        let behind = u.wrapping_add(way.wrapping_mul(mixed.len() as i32));
+        let ((mut left, mut fraction), (_, step)) = (axis.fine_place(behind), axis.fine_place(way));
+        let mut from = spread(left)?;
+        let mut ways = difference(spread(axis.next(left))?, from);
+        let step = core::hint::black_box(&step);
+        for mixed in mixed.iter_mut().rev() {
+            // What the compiler knows of the step it makes a multiple of the pixel's number of.
+            forget();
+            let borrows;
+            (fraction, borrows) = fraction.overflowing_sub(*step);
+            if borrows {
+                left = axis.previous(left);
+                let next = spread(left)?;
+                ways = difference(from, next);
+                from = next;
+            }
+            let x = fraction >> 27;
+            let across = |from: u32, way: u32| {
+                from.wrapping_add(way.wrapping_mul(x).wrapping_add(halves) >> 5) & fields
+            };
+            let (upper, lower) = (across(from[0], ways[0]), across(from[1], ways[1]));
+            *mixed = between(upper, lower, y, constants);
+        }
+        Some(())
+    }
+
+    #[inline(always)]
+    fn show_mixed<F: Format>(mixed: u32, surface: Option<Color>) -> F::Raw {
+        match surface {
+            Some(surface) => {
+                F::pack_products(products(mixed, surface), surface.green & Color::OPAQUE)
+            }
+            None => F::pack(shown(mixed)),
+        }
+    }
+}
+
+/// The ways from two texels' fields to others.
+#[inline(always)]
+const fn difference([a, b]: [u32; 2], [from_a, from_b]: [u32; 2]) -> [u32; 2] {
+    [a.wrapping_sub(from_a), b.wrapping_sub(from_b)]
 }
 
 /// The three channels of a texel in one word, green in the upper half: each has room for five bits of
@@ -204,20 +266,29 @@ const fn shown(fields: u32) -> Color {
     Rgb565::decode((fields | fields >> 16) as u16)
 }
 
-/// The colour of fields [multiplied](crate::texture::Modulate) with that of a surface.
+/// Red, green and blue of fields [multiplied](crate::texture::Modulate) with those of a surface, times 512.
 ///
 /// A channel of eight bits, and the half that lies above it, are twice the channel and one in 512ths:
 /// bits of a field that is repeated once.
 #[inline(always)]
-const fn modulated(fields: u32, surface: Color) -> Color {
+const fn products(fields: u32, surface: Color) -> [u32; 3] {
     // Green stays above.
     let blue_red = fields.wrapping_mul(33) | 0x1002;
     let (blue, red) = (blue_red >> 1 & 0x1FF, blue_red >> 12 & 0x1FF);
     let green = fields >> 18 | fields >> 24 | 1;
-    let blue = blue.wrapping_mul(surface.blue_red >> 16) >> 9;
-    let red = red.wrapping_mul(surface.blue_red & 0xFFFF) >> 9;
-    let green = green.wrapping_mul(surface.green >> 16) >> 9;
-    Color { blue_red: blue << 16 | red, green: green << 16 | surface.green & Color::OPAQUE }
+    [
+        red.wrapping_mul(surface.blue_red & 0xFFFF),
+        green.wrapping_mul(surface.green >> 16),
+        blue.wrapping_mul(surface.blue_red >> 16),
+    ]
+}
+
+/// The colour of that.
+#[inline(always)]
+const fn modulated(fields: u32, surface: Color) -> Color {
+    let [red, green, blue] = products(fields, surface);
+    let green = green >> 9 << 16 | surface.green & Color::OPAQUE;
+    Color { blue_red: blue >> 9 << 16 | red >> 9, green }
 }
 
 impl PaletteEntry for Rgb565 {}

@@ -63,10 +63,9 @@ pub(super) fn find_spans<V: Varying, S: State>(
     batch: &mut SpanBatch,
 ) -> bool {
     if draws_trapezoids::<V, S>() {
-        state.traversal().start_any(walk, triangle, area, batch);
-    } else {
-        state.traversal().start(walk, triangle, area, batch);
+        return state.traversal().start_any(walk, triangle, area, batch);
     }
+    state.traversal().start(walk, triangle, area, batch);
     !batch.is_empty()
 }
 
@@ -516,11 +515,17 @@ impl<V: Varying> Ready<V> {
         let mut window = window.level()?;
         // Kept in memory, which the pixel loop may change for all that the compiler knows.
         for rows in core::hint::black_box(trapezoids) {
+            let (mut y, mut x) = rows.place();
             loop {
-                let (y, (left, right)) = (rows.y, rows.columns());
-                if left < right {
+                if !V::INTERPOLATED {
+                    // Here it takes a register less, there it spares a jump.
+                    (y, x) = rows.place();
+                }
+                let (left, right, length) = Trapezoid::row(x);
+                if length != 0 {
                     let parts = (depth, output, &mut *counter);
-                    self.draw_row::<H, S, F>((y, left, right), &mut window, parts, shader)?;
+                    let columns = (left, right, length);
+                    self.draw_row::<H, S, F>(y, columns, &mut window, parts, shader)?;
                 } else {
                     rare();
                 }
@@ -528,6 +533,9 @@ impl<V: Varying> Ready<V> {
                 rows.step();
                 if !rows.has_row() {
                     break;
+                }
+                if V::INTERPOLATED {
+                    (y, x) = rows.place();
                 }
             }
         }
@@ -538,7 +546,8 @@ impl<V: Varying> Ready<V> {
     #[inline(always)]
     fn draw_row<H, S, F>(
         &self,
-        (y, left, right): (i32, i32, i32),
+        y: i32,
+        (left, right, length): (i32, i32, usize),
         window: &mut Window<'_, F, Access<S>>,
         (depth, output, counter): (&S::Depth, &S::Output, &mut S::Counter),
         shader: &H,
@@ -549,12 +558,6 @@ impl<V: Varying> Ready<V> {
         F: Format,
     {
         let Self { set: (planes, z_plane) } = self;
-        // No row is longer, and none is empty. As the compiler knows it, one number is a pixel's place
-        // among colours and cells, and the count.
-        let length = right.wrapping_sub(left) as usize & 0xFFFF;
-        if length == 0 {
-            return None;
-        }
         let span = Span { y, first: left, left, right, behind: right };
         let mut runs = V::runs(planes, &span);
         let (pixels, cells) = window.next_row(y, left, length)?;

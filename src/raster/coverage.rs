@@ -27,7 +27,7 @@ pub trait Traversal: Copy {
     fn start(&self, walk: &mut Self::Walk, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch);
 
     /// The same for those who draw trapezoids too, or [expand](SpanBatch::expand) them: a short
-    /// triangle's spans need not be made then.
+    /// triangle's spans need not be made then. Whether any pixel is covered.
     #[doc(hidden)]
     #[inline(always)]
     fn start_any(
@@ -36,8 +36,9 @@ pub trait Traversal: Copy {
         triangle: &Triangle,
         area: &Rect,
         batch: &mut SpanBatch,
-    ) {
+    ) -> bool {
         self.start(walk, triangle, area, batch);
+        !batch.is_empty()
     }
 
     /// Whether passes are to ask before whether a triangle covers few pixels, which they then draw
@@ -159,6 +160,7 @@ impl SpanBatch {
     #[inline(never)]
     pub(crate) fn expand(&mut self) {
         let parts = core::mem::take(&mut self.parts);
+        self.last = true;
         let mut places = self.spans.iter_mut();
         for trapezoid in self.trapezoids.iter().take(parts) {
             let mut rows = *trapezoid;
@@ -207,8 +209,14 @@ impl Traversal for Scanline {
     }
 
     #[inline(always)]
-    fn start_any(&self, walk: &mut Spans, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
-        walk.start_any(triangle, area, batch);
+    fn start_any(
+        &self,
+        walk: &mut Spans,
+        triangle: &Triangle,
+        area: &Rect,
+        batch: &mut SpanBatch,
+    ) -> bool {
+        walk.start_any(triangle, area, batch)
     }
 
     #[inline(always)]

@@ -67,13 +67,15 @@ pub trait SpanWalk {
 /// A few spans of one triangle: taken together, they cost half of what they do one by one, since
 /// the walk's state stays in registers.
 #[derive(Clone, Copy, Debug, Default)]
+#[repr(C)]
 pub struct SpanBatch {
-    pub(super) spans: [Span; Self::CAPACITY],
-    pub(super) length: usize,
-    pub(super) last: bool,
-    /// Those whose rows are to be spans, and how many there are: none where spans are made.
+    /// Those whose rows are to be spans, and how many there are: none where spans are made. First, so that
+    /// several words are loaded at once.
     pub(super) trapezoids: [Trapezoid; 2],
     pub(super) parts: usize,
+    pub(super) length: usize,
+    pub(super) last: bool,
+    pub(super) spans: [Span; Self::CAPACITY],
 }
 
 impl SpanBatch {
@@ -147,10 +149,29 @@ impl SpanBatch {
         self.parts != 0
     }
 
-    /// The trapezoids, none of which is without rows.
+    /// The first trapezoid, which is not without rows.
     #[inline(always)]
-    pub(crate) fn trapezoids(&mut self) -> &mut [Trapezoid] {
-        self.trapezoids.get_mut(..self.parts).unwrap_or(&mut [])
+    pub(crate) fn rows(&mut self) -> &mut Trapezoid {
+        let [first, _] = &mut self.trapezoids;
+        first
+    }
+
+    /// Puts the second trapezoid in the place of the first; whether there was one.
+    #[inline(always)]
+    pub(crate) fn next_rows(&mut self) -> bool {
+        let is_any = self.parts == 2;
+        if is_any {
+            let [first, second] = &mut self.trapezoids;
+            *first = *second;
+            self.parts = 1;
+        }
+        is_any
+    }
+
+    /// The trapezoids, none of which is without rows.
+    #[cfg(test)]
+    pub(super) fn trapezoids(&self) -> &[Trapezoid] {
+        self.trapezoids.get(..self.parts).unwrap_or(&[])
     }
 
     /// Makes the spans of trapezoids.

@@ -8,7 +8,7 @@ use crate::math::rare;
 /// along the edges, so that no pixel is tested.
 ///
 /// # Cost
-/// On Cortex-M4 some 150 instructions to start, 15 more where the triangle may reach beyond the area;
+/// On Cortex-M4 some 140 instructions to start, 15 more where the triangle may reach beyond the area;
 /// one division an edge, by a table where the core has none. Then some 20 a row of a short triangle,
 /// but where passes draw its rows as they are walked: 12. Passes ask before whether a triangle is one
 /// of very few pixels, which do without. Not generic, so that one copy serves every shader, state and

@@ -63,12 +63,14 @@ impl Trapezoid {
         (first < behind).then_some(Span { y: self.y, first, left: first, right: behind, behind })
     }
 
-    /// Goes one row down.
+    /// Goes one row down; whether that is one.
     #[inline(always)]
-    pub(crate) fn step(&mut self) {
-        let ([left, right], [left_step, right_step]) = (self.x, self.steps);
+    pub(crate) fn step(&mut self) -> bool {
+        let Self { x: [left, right], steps: [left_step, right_step], y, end } = *self;
+        let y = y.wrapping_add(1);
         self.x = [left.wrapping_add(left_step), right.wrapping_add(right_step)];
-        self.y = self.y.wrapping_add(1);
+        self.y = y;
+        y < end
     }
 
     /// Leaves out the rows before the first that holds a pixel; whether there is one.

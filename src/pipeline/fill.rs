@@ -63,10 +63,9 @@ pub(super) fn find_spans<V: Varying, S: State>(
     batch: &mut SpanBatch,
 ) -> bool {
     if draws_trapezoids::<V, S>() {
-        state.traversal().start_any(walk, triangle, area, batch);
-    } else {
-        state.traversal().start(walk, triangle, area, batch);
+        return state.traversal().start_any(walk, triangle, area, batch);
     }
+    state.traversal().start(walk, triangle, area, batch);
     !batch.is_empty()
 }
 
@@ -281,23 +280,21 @@ impl<V: Varying> Fill<'_, V> {
         let depth = state.parts().0;
         let at_once = <Access<S>>::HAS_DEPTH && !depth.is_constant() && !depth.maps();
         let in_pieces;
-        let (mut at_once_made, mut made);
-        let ready;
+        let mut made = None;
         if at_once && V::AT_ONCE {
-            at_once_made = None;
             if H::COLOR_AS_IS && state.parts().1.dims() {
                 let corners = self.corners.each_ref().map(V::dim::<F>);
-                V::at_once(self.triangle, &corners, &mut at_once_made);
+                V::at_once(self.triangle, &corners, &mut made);
             } else {
-                V::at_once(self.triangle, self.corners, &mut at_once_made);
+                V::at_once(self.triangle, self.corners, &mut made);
             }
-            // Always made.
-            let Some(set) = &mut at_once_made else { return };
-            ready = set;
+            // They are always made: one question for both.
+            in_pieces = made.as_ref().is_none_or(|ready| V::are_in_pieces(&ready.set.0));
             if MOVES {
-                Self::offset(&mut ready.set.1, self.triangle, state.parts().0);
+                if let Some(ready) = &mut made {
+                    Self::offset(&mut ready.set.1, self.triangle, state.parts().0);
+                }
             }
-            in_pieces = V::are_in_pieces(&ready.set.0);
         } else {
             // What neither depth nor varyings ask for is not computed.
             let gradients =
@@ -310,15 +307,14 @@ impl<V: Varying> Fill<'_, V> {
             in_pieces = V::PIECE != 0 && gradients.reach_beyond(V::PIECE / 2);
             let set =
                 planes::<V, H, S, F>(&gradients, self.corners, self.provoking, in_pieces, state);
-            made = Ready { set: (set, z_plane) };
-            ready = &mut made;
+            made = Some(Ready { set: (set, z_plane) });
         }
         if draws_trapezoids::<V, S>() {
             match &mut *target {
                 _ if !batch.has_trapezoids() => {}
                 Target::Whole(window) if !in_pieces => {
-                    let trapezoids = batch.trapezoids();
-                    ready.draw_trapezoids::<H, S, F>(trapezoids, window, state, shader);
+                    let Some(ready) = &made else { return };
+                    ready.draw_trapezoids::<H, S, F>(batch, window, state, shader);
                     return;
                 }
                 _ => batch.expand(),
@@ -326,6 +322,7 @@ impl<V: Varying> Fill<'_, V> {
         }
         match &mut *target {
             Target::Whole(window) if !in_pieces => loop {
+                let Some(ready) = &made else { return };
                 let drawn = ready.draw::<H, S, F>(batch.spans(), window, state, shader);
                 if drawn.is_none() || batch.is_last() {
                     return;
@@ -334,6 +331,7 @@ impl<V: Varying> Fill<'_, V> {
             },
             // Where this cannot be, it is not there.
             target if V::PIECE != 0 || <Access<S>>::TOUCHES => {
+                let Some(ready) = &mut made else { return };
                 ready.draw_apart::<H, S, F, D, W>(in_pieces, target, state, shader, walk, batch);
             }
             _ => {}
@@ -502,7 +500,7 @@ impl<V: Varying> Ready<V> {
     #[inline(never)]
     fn draw_trapezoids<H, S, F>(
         &self,
-        trapezoids: &mut [Trapezoid],
+        batch: &mut SpanBatch,
         window: &mut Window<'_, F, Access<S>>,
         state: &mut S,
         shader: &H,
@@ -515,30 +513,37 @@ impl<V: Varying> Ready<V> {
         let (depth, output, counter) = state.parts();
         let mut window = window.level()?;
         // Kept in memory, which the pixel loop may change for all that the compiler knows.
-        for rows in core::hint::black_box(trapezoids) {
+        let batch = core::hint::black_box(batch);
+        loop {
+            let rows = batch.rows();
+            let (mut y, mut x) = rows.place();
             loop {
-                let (y, (left, right)) = (rows.y, rows.columns());
-                if left < right {
+                let (left, right, length) = Trapezoid::row(x);
+                if length != 0 {
                     let parts = (depth, output, &mut *counter);
-                    self.draw_row::<H, S, F>((y, left, right), &mut window, parts, shader)?;
+                    let columns = (left, right, length);
+                    self.draw_row::<H, S, F>(y, columns, &mut window, parts, shader)?;
                 } else {
                     rare();
                 }
                 core::hint::black_box(());
-                rows.step();
-                if !rows.has_row() {
+                if !rows.step() {
                     break;
                 }
+                (y, x) = rows.place();
+            }
+            if !batch.next_rows() {
+                return Some(());
             }
         }
-        Some(())
     }
 
     /// Draws a row of a short triangle; `None` if the frame does not reach so far.
     #[inline(always)]
     fn draw_row<H, S, F>(
         &self,
-        (y, left, right): (i32, i32, i32),
+        y: i32,
+        (left, right, length): (i32, i32, usize),
         window: &mut Window<'_, F, Access<S>>,
         (depth, output, counter): (&S::Depth, &S::Output, &mut S::Counter),
         shader: &H,
@@ -549,12 +554,6 @@ impl<V: Varying> Ready<V> {
         F: Format,
     {
         let Self { set: (planes, z_plane) } = self;
-        // No row is longer, and none is empty. As the compiler knows it, one number is a pixel's place
-        // among colours and cells, and the count.
-        let length = right.wrapping_sub(left) as usize & 0xFFFF;
-        if length == 0 {
-            return None;
-        }
         let span = Span { y, first: left, left, right, behind: right };
         let mut runs = V::runs(planes, &span);
         let (pixels, cells) = window.next_row(y, left, length)?;

@@ -27,7 +27,7 @@ pub trait Traversal: Copy {
     fn start(&self, walk: &mut Self::Walk, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch);
 
     /// The same for those who draw trapezoids too, or [expand](SpanBatch::expand) them: a short
-    /// triangle's spans need not be made then.
+    /// triangle's spans need not be made then. Whether any pixel is covered.
     #[doc(hidden)]
     #[inline(always)]
     fn start_any(
@@ -36,8 +36,9 @@ pub trait Traversal: Copy {
         triangle: &Triangle,
         area: &Rect,
         batch: &mut SpanBatch,
-    ) {
+    ) -> bool {
         self.start(walk, triangle, area, batch);
+        !batch.is_empty()
     }
 
     /// Whether passes are to ask before whether a triangle covers few pixels, which they then draw
@@ -66,13 +67,15 @@ pub trait SpanWalk {
 /// A few spans of one triangle: taken together, they cost half of what they do one by one, since
 /// the walk's state stays in registers.
 #[derive(Clone, Copy, Debug, Default)]
+#[repr(C)]
 pub struct SpanBatch {
-    pub(super) spans: [Span; Self::CAPACITY],
-    pub(super) length: usize,
-    pub(super) last: bool,
-    /// Those whose rows are to be spans, and how many there are: none where spans are made.
+    /// Those whose rows are to be spans, and how many there are: none where spans are made. First, so that
+    /// several words are loaded at once.
     pub(super) trapezoids: [Trapezoid; 2],
     pub(super) parts: usize,
+    pub(super) length: usize,
+    pub(super) last: bool,
+    pub(super) spans: [Span; Self::CAPACITY],
 }
 
 impl SpanBatch {
@@ -146,10 +149,29 @@ impl SpanBatch {
         self.parts != 0
     }
 
-    /// The trapezoids, none of which is without rows.
+    /// The first trapezoid, which is not without rows.
     #[inline(always)]
-    pub(crate) fn trapezoids(&mut self) -> &mut [Trapezoid] {
-        self.trapezoids.get_mut(..self.parts).unwrap_or(&mut [])
+    pub(crate) fn rows(&mut self) -> &mut Trapezoid {
+        let [first, _] = &mut self.trapezoids;
+        first
+    }
+
+    /// Puts the second trapezoid in the place of the first; whether there was one.
+    #[inline(always)]
+    pub(crate) fn next_rows(&mut self) -> bool {
+        let is_any = self.parts == 2;
+        if is_any {
+            let [first, second] = &mut self.trapezoids;
+            *first = *second;
+            self.parts = 1;
+        }
+        is_any
+    }
+
+    /// The trapezoids, none of which is without rows.
+    #[cfg(test)]
+    pub(super) fn trapezoids(&self) -> &[Trapezoid] {
+        self.trapezoids.get(..self.parts).unwrap_or(&[])
     }
 
     /// Makes the spans of trapezoids.
@@ -159,6 +181,7 @@ impl SpanBatch {
     #[inline(never)]
     pub(crate) fn expand(&mut self) {
         let parts = core::mem::take(&mut self.parts);
+        self.last = true;
         let mut places = self.spans.iter_mut();
         for trapezoid in self.trapezoids.iter().take(parts) {
             let mut rows = *trapezoid;
@@ -207,8 +230,14 @@ impl Traversal for Scanline {
     }
 
     #[inline(always)]
-    fn start_any(&self, walk: &mut Spans, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
-        walk.start_any(triangle, area, batch);
+    fn start_any(
+        &self,
+        walk: &mut Spans,
+        triangle: &Triangle,
+        area: &Rect,
+        batch: &mut SpanBatch,
+    ) -> bool {
+        walk.start_any(triangle, area, batch)
     }
 
     #[inline(always)]

@@ -71,12 +71,10 @@ fn slope(dx: i32, dy: i32) -> i32 {
 }
 
 impl ShortEdge {
-    /// The walk down from `a` to `b` (`b` strictly below), beginning at row `y`, whose centre is
-    /// between them.
+    /// The walk down from `a` to `b`, which is so much below, beginning at row `y`, whose centre is between them.
     #[inline(always)]
-    pub(super) fn new(a: Point, b: Point, y: i32) -> Self {
+    pub(super) fn of_height(a: Point, b: Point, dy: i32, y: i32) -> Self {
         let dx = b.x.wrapping_sub(a.x);
-        let dy = b.y.wrapping_sub(a.y);
         let down = y.wrapping_mul(16).wrapping_add(8).wrapping_sub(a.y);
         let step = slope(dx, dy);
         // No more than dx in all, since `down` is no more than dy.

@@ -8,7 +8,7 @@ use crate::math::rare;
 /// along the edges, so that no pixel is tested.
 ///
 /// # Cost
-/// On Cortex-M4 some 150 instructions to start, 15 more where the triangle may reach beyond the area;
+/// On Cortex-M4 some 140 instructions to start, 15 more where the triangle may reach beyond the area;
 /// one division an edge, by a table where the core has none. Then some 20 a row of a short triangle,
 /// but where passes draw its rows as they are walked: 12. Passes ask before whether a triangle is one
 /// of very few pixels, which do without. Not generic, so that one copy serves every shader, state and
@@ -70,12 +70,12 @@ fn take_all_rows<E: Edge>(
     taken
 }
 
-/// A triangle's corners from its highest, and the rows between them that are drawn.
+/// A triangle's corners from its highest to its lowest, and the rows between them that are drawn.
 #[derive(Clone, Copy, Debug)]
 struct Descent {
     high: Point,
-    right: Point,
-    left: Point,
+    middle: Point,
+    low: Point,
     start: i32,
     /// Where the shorter side changes over to its second edge: from the start to the end.
     turn: i32,
@@ -97,11 +97,14 @@ impl Spans {
         }
     }
 
-    /// The same without making the spans of a short triangle that lies in the area.
+    /// The same without making the spans of a short triangle that lies in the area; whether there are any.
     #[inline(never)]
-    pub(super) fn start_any(&mut self, triangle: &Triangle, area: &Rect, batch: &mut SpanBatch) {
-        batch.last = true;
-        batch.parts = 0;
+    pub(super) fn start_any(
+        &mut self,
+        triangle: &Triangle,
+        area: &Rect,
+        batch: &mut SpanBatch,
+    ) -> bool {
         // Clockwise from the highest corner: the next one is on its right side.
         let [a, b, c] = triangle.v.each_ref().map(Point::of);
         let (high, right, left) = if a.y <= b.y && a.y <= c.y {
@@ -111,37 +114,59 @@ impl Spans {
         } else {
             (c, a, b)
         };
-        let (upper, lower) = (right.y.min(left.y), right.y.max(left.y));
+        // Two copies, in which no side is chosen any more.
+        if right.y < left.y {
+            self.descend::<true>([high, right, left], triangle.is_inside, area, batch)
+        } else {
+            self.descend::<false>([high, left, right], triangle.is_inside, area, batch)
+        }
+    }
+
+    /// The same from the highest corner to the lowest; the right side is the one with two edges, or the left one.
+    #[inline(always)]
+    fn descend<const TURNS_RIGHT: bool>(
+        &mut self,
+        [high, middle, low]: [Point; 3],
+        is_inside: bool,
+        area: &Rect,
+        batch: &mut SpanBatch,
+    ) -> bool {
         // Rows from the first centre at or below the top to the last above the bottom.
         // The turn is at the first of them below the middle corner, or at the end.
-        let (mut start, mut end) = (first_center(high.y), first_center(lower));
-        let mut turn = first_center(upper);
+        let (mut start, mut end) = (first_center(high.y), first_center(low.y));
+        let mut turn = first_center(middle.y);
         let mut reaches_beyond = false;
-        if !triangle.is_inside {
+        if !is_inside {
             (start, end) = (start.max(area.top), end.min(area.bottom));
             turn = turn.min(end).max(start);
-            let (least, most) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
+            let least = high.x.min(middle.x).min(low.x);
+            let most = high.x.max(middle.x).max(low.x);
             // Below zero where the triangle reaches beyond a side.
             let left_over = first_center(least).wrapping_sub(area.left);
             let right_over = area.right.wrapping_sub(first_center(most));
             reaches_beyond = left_over | right_over < 0;
         }
         if start >= end {
-            batch.length = 0;
-            return;
+            batch.clear();
+            return false;
         }
         // Made where it is used, so that a short triangle's never goes through memory.
-        let descent = || Descent { high, right, left, start, turn, end };
-        if lower.wrapping_sub(high.y) <= TALLEST && descent().is_narrow() {
-            descent().take_short(batch);
-            if batch.has_trapezoids() && reaches_beyond {
+        let descent = || Descent { high, middle, low, start, turn, end };
+        // Above zero, as the compiler knows it.
+        let tall = low.y.wrapping_sub(high.y);
+        if tall.wrapping_sub(1).cast_unsigned() < TALLEST.cast_unsigned() && descent().is_narrow() {
+            let is_any = descent().take_short::<TURNS_RIGHT>(tall, batch);
+            if is_any && reaches_beyond {
                 batch.expand();
                 batch.clip(area.left, area.right);
+                return !batch.is_empty();
             }
+            is_any
         } else {
-            descent().walk(self);
+            descent().walk(TURNS_RIGHT, self);
             self.columns = reaches_beyond.then_some((area.left, area.right));
             self.next_spans(batch);
+            !batch.is_empty()
         }
     }
 }
@@ -151,45 +176,54 @@ impl Descent {
     #[inline(always)]
     fn is_narrow(&self) -> bool {
         let raised = |to: Point| to.x.wrapping_sub(self.high.x).wrapping_add(WIDEST / 2);
-        (raised(self.right) | raised(self.left)).cast_unsigned() < WIDEST.cast_unsigned()
+        (raised(self.middle) | raised(self.low)).cast_unsigned() < WIDEST.cast_unsigned()
     }
 
-    /// The trapezoids of a short triangle.
+    /// The trapezoids of a short triangle of a height; whether there are any.
     #[inline(always)]
-    fn take_short(&self, batch: &mut SpanBatch) {
-        let Self { high, right, left, start, turn, end } = *self;
-        let left_edge = ShortEdge::new(high, left, start);
-        let right_edge = ShortEdge::new(high, right, start);
-        let mut upper = Trapezoid::new(left_edge, right_edge, start, turn);
-        // Over to the second edge of the side that has two.
-        let rows = turn.wrapping_sub(start);
-        let (left_edge, right_edge) = if right.y < left.y {
-            (left_edge.after(rows), ShortEdge::new(right, left, turn))
-        } else {
-            (ShortEdge::new(left, right, turn), right_edge.after(rows))
+    fn take_short<const TURNS_RIGHT: bool>(&self, tall: i32, batch: &mut SpanBatch) -> bool {
+        let Self { high, middle, low, start, turn, end } = *self;
+        let trapezoid = |long, short, y, end| {
+            let (left, right) = if TURNS_RIGHT { (long, short) } else { (short, long) };
+            Trapezoid::new(left, right, y, end)
         };
-        let mut lower = Trapezoid::new(left_edge, right_edge, turn, end);
         let [first, second] = &mut batch.trapezoids;
-        (batch.length, batch.parts) = (1, 1);
-        if upper.skip_empty_rows() {
-            *first = upper;
-            if lower.has_row() {
-                *second = lower;
-                batch.parts = 2;
+        let mut parts = 0;
+        let long = ShortEdge::of_height(high, low, tall, start);
+        let upper_height = middle.y.wrapping_sub(high.y);
+        if upper_height > 0 {
+            let short = ShortEdge::of_height(high, middle, upper_height, start);
+            let mut upper = trapezoid(long, short, start, turn);
+            if upper.skip_empty_rows() {
+                *first = upper;
+                parts = 1;
             }
-        } else if lower.skip_empty_rows() {
-            *first = lower;
-        } else {
-            (batch.length, batch.parts) = (0, 0);
         }
+        let lower_height = low.y.wrapping_sub(middle.y);
+        if turn < end && lower_height > 0 {
+            let long = long.after(turn.wrapping_sub(start));
+            let short = ShortEdge::of_height(middle, low, lower_height, turn);
+            let mut lower = trapezoid(long, short, turn, end);
+            if parts != 0 {
+                *second = lower;
+                parts = 2;
+            } else if lower.skip_empty_rows() {
+                *first = lower;
+                parts = 1;
+            }
+        }
+        if parts == 0 {
+            batch.clear();
+            return false;
+        }
+        batch.parts = parts;
+        true
     }
 
     /// Makes the walk over any other triangle.
     #[inline(never)]
-    fn walk(&self, walk: &mut Spans) {
-        let Self { high, right, left, start, turn, end } = *self;
-        let turns_right = right.y < left.y;
-        let (middle, low) = if turns_right { (right, left) } else { (left, right) };
+    fn walk(&self, turns_right: bool, walk: &mut Spans) {
+        let Self { high, middle, low, start, turn, end } = *self;
         let long = LongEdge::new(high, low, start);
         let short = if start < turn {
             LongEdge::new(high, middle, start)

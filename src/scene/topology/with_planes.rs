@@ -51,7 +51,11 @@ impl Facing {
     /// may.
     #[inline(never)]
     fn block(&self, planes: &[FacePlane]) -> u32 {
-        let shown = planes.iter().fold(0, |shown: u32, plane| shown << 1 | self.shows(plane));
+        let shown = planes.iter().fold(0, |shown: u32, plane| {
+            // Not unrolled, which spills.
+            core::hint::black_box(());
+            shown << 1 | self.shows(plane)
+        });
         let known = saturated(planes.len());
         let behind = u32::MAX.checked_shr(known).unwrap_or(0);
         shown.checked_shl(BLOCK.wrapping_sub(known)).unwrap_or(0) | behind

@@ -143,6 +143,8 @@ pub(super) struct Assembly<T: Topology> {
     pub(super) culled: CulledWindings,
     /// The pieces of a clipped triangle.
     pub(super) fan: Fan,
+    /// The number behind the last triangle that was counted, where some are left out.
+    pub(super) next_number: u32,
 }
 
 /// Transforms a vertex and keeps it: in one piece, from the mesh's memory to the cache's.
@@ -255,12 +257,13 @@ impl<T: Topology<Primitive = [u32; 3]>> Assembly<T> {
         let mut cursor = self.cursor;
         let found = loop {
             let next = self.topology.next::<false>(&mut cursor);
-            if C::COUNTS {
-                let number = next.map(|(number, _)| number);
-                for _ in 0..self.topology.left_out_before(&mut cursor, number) {
+            if C::COUNTS && T::LEAVES_OUT {
+                let number = next.map_or_else(|| self.topology.count(), |(number, _)| number);
+                for _ in self.next_number..number {
                     counter.event(Event::Triangle);
                     counter.event(Event::Culled);
                 }
+                self.next_number = number.saturating_add(1);
             }
             let Some((number, vertices)) = next else {
                 break false;

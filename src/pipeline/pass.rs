@@ -359,6 +359,7 @@ where
             is_whole: ready.is_whole && state.traversal().takes_whole_area(),
             culled: ready.culled,
             fan: Fan::default(),
+            next_number: 0,
         };
         ready.draw.run(ready.positions, assembly, frame, state, self.cache);
     }

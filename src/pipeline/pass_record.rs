@@ -212,7 +212,8 @@ impl<S: State> Pass<'_, S> {
         let topology = mesh.topology;
         // Of bands, most triangles reach beyond.
         let is_whole = false;
-        let assembly = Assembly { topology, cursor, mapping, area, is_whole, culled, fan };
+        let assembly =
+            Assembly { topology, cursor, mapping, area, is_whole, culled, fan, next_number: 0 };
         let draw = Draw { vertices, shader, prepared: &prepared };
         let counter = self.state.counter();
         if H::OWN_POSITIONS {

@@ -10,6 +10,7 @@ impl<T: Topology> Topology for LastProvoking<T> {
     type Cursor = T::Cursor;
 
     const LAST_PROVOKES: bool = true;
+    const LEAVES_OUT: bool = T::LEAVES_OUT;
 
     #[inline(always)]
     fn next<const LAST: bool>(&self, cursor: &mut T::Cursor) -> Option<(u32, T::Primitive)> {
@@ -34,10 +35,5 @@ impl<T: Topology> Topology for LastProvoking<T> {
     #[inline(always)]
     fn skip_to(&self, cursor: &mut T::Cursor, number: u32) {
         self.0.skip_to(cursor, number);
-    }
-
-    #[inline(always)]
-    fn left_out_before(&self, cursor: &mut T::Cursor, number: Option<u32>) -> u32 {
-        self.0.left_out_before(cursor, number)
     }
 }

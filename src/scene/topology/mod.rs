@@ -62,6 +62,11 @@ pub trait Topology: Copy {
     /// Whether of a line the last vertex provokes. Triangles have the provoking one in front.
     const LAST_PROVOKES: bool = false;
 
+    /// Whether a draw may get a triangle's number that does not follow the one before: those between show the side
+    /// that is left out.
+    #[doc(hidden)]
+    const LEAVES_OUT: bool = false;
+
     /// The next primitive and its number; `None` behind the last. `LAST` puts the vertex in front
     /// that provokes by the convention of the last vertex.
     fn next<const LAST: bool>(&self, cursor: &mut Self::Cursor) -> Option<(u32, Self::Primitive)>;
@@ -93,14 +98,6 @@ pub trait Topology: Copy {
         while self.next::<false>(&mut ahead).is_some_and(|(passed, _)| passed < number) {
             *cursor = ahead;
         }
-    }
-
-    /// How many triangles [`next`](Self::next) left out, since they show the side that is, before it came to triangle
-    /// `number` or, if `None`, to the end.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn left_out_before(&self, _cursor: &mut Self::Cursor, _number: Option<u32>) -> u32 {
-        0
     }
 
     /// All primitives, one after the other.

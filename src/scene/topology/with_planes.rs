@@ -87,10 +87,11 @@ impl<T: Topology<Primitive = [u32; 3]>> Topology for WithPlanes<'_, T> {
     type Cursor = PlaneCursor<T::Cursor>;
 
     const LAST_PROVOKES: bool = T::LAST_PROVOKES;
+    const LEAVES_OUT: bool = true;
 
     #[inline(always)]
     fn next<const LAST: bool>(&self, cursor: &mut Self::Cursor) -> Option<(u32, [u32; 3])> {
-        let PlaneCursor { inner, shown, first, .. } = cursor;
+        let PlaneCursor { inner, shown, first } = cursor;
         loop {
             if *shown != 0 {
                 let ahead = leading_zeros(*shown);
@@ -113,14 +114,6 @@ impl<T: Topology<Primitive = [u32; 3]>> Topology for WithPlanes<'_, T> {
     fn face(&mut self, facing: impl FnOnce(&PlaneScale) -> Facing) {
         self.facing = facing(&self.planes.scale);
     }
-
-    #[inline]
-    fn left_out_before(&self, cursor: &mut Self::Cursor, number: Option<u32>) -> u32 {
-        let number = number.unwrap_or_else(|| self.count());
-        let left_out = number.saturating_sub(cursor.counted);
-        cursor.counted = number.saturating_add(1);
-        left_out
-    }
 }
 
 /// How far one is in [`WithPlanes`].
@@ -131,6 +124,4 @@ pub struct PlaneCursor<C> {
     shown: u32,
     /// The number of the next block's first triangle.
     first: u32,
-    /// The first triangle that was not counted.
-    counted: u32,
 }

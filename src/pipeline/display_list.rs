@@ -99,6 +99,8 @@ pub struct DisplayList<'a, C> {
     vertex_count: u32,
     triangle_count: u32,
     picture: Size,
+    /// Whether no triangle reaches beyond the area that was recorded for.
+    are_inside: bool,
     /// Rows of a band; none before triangles are linked.
     rows: i32,
     /// The band that comes next, and its first row.
@@ -182,6 +184,14 @@ fn rows_of([a, b, c]: [i32; 3]) -> (i32, i32) {
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "of a picture")]
 pub(super) fn first_row(triangle: &Triangle, area: &Rect) -> Option<u16> {
+    if triangle.is_inside {
+        // A box between the same two centres holds none.
+        let x = triangle.v.map(|vertex| first_center(vertex.x_bits()));
+        let y = triangle.v.map(|vertex| first_center(vertex.y_bits()));
+        let differ = |[a, b, c]: [i32; 3]| (a ^ b) | (a ^ c) != 0;
+        let [a, b, c] = y;
+        return (differ(x) && differ(y)).then_some(a.min(b).min(c) as u16);
+    }
     let (top, bottom) = rows_of(triangle.v.map(|vertex| vertex.y_bits()));
     let (left, right) = rows_of(triangle.v.map(|vertex| vertex.x_bits()));
     let first = top.max(area.top);
@@ -204,6 +214,7 @@ impl<'a, C: Copy> DisplayList<'a, C> {
             vertex_count: 0,
             triangle_count: 0,
             picture: Size::new(0, 0),
+            are_inside: false,
             rows: 0,
             number: 0,
             next_row: 0,
@@ -247,7 +258,17 @@ impl<'a, C: Copy> DisplayList<'a, C> {
     /// Forgets everything, for a picture of this size.
     pub(super) fn start(&mut self, picture: Size) {
         (self.vertex_count, self.triangle_count) = (0, 0);
-        (self.picture, self.rows) = (picture, 0);
+        (self.picture, self.rows, self.are_inside) = (picture, 0, false);
+    }
+
+    /// Notes whether no triangle reaches beyond the area that was recorded for.
+    pub(super) fn end(&mut self, are_inside: bool) {
+        self.are_inside = are_inside;
+    }
+
+    /// Whether no triangle reaches beyond that.
+    pub(super) fn are_inside(&self) -> bool {
+        self.are_inside
     }
 
     /// Whether all that was recorded found room.
@@ -439,17 +460,18 @@ impl<'a, C: Copy> DisplayList<'a, C> {
         }
     }
 
-    /// The next triangle of a band, in the order in which they were recorded.
+    /// The next triangle of a band, in the order in which they were recorded, and whether it begins there.
     #[inline(always)]
-    pub(super) fn next(&self, band: &mut BandTriangles) -> Option<u16> {
+    pub(super) fn next(&self, band: &mut BandTriangles) -> Option<(u16, bool)> {
         let number = band.carried.min(band.first);
         let next = self.triangles.get(usize::from(number))?.next;
-        if number == band.carried {
-            band.carried = next;
-        } else {
+        let begins = number != band.carried;
+        if begins {
             band.first = next;
+        } else {
+            band.carried = next;
         }
-        Some(number)
+        Some((number, begins))
     }
 
     /// Keeps a triangle that reaches beyond the band for the next one.

@@ -12,7 +12,7 @@ use super::{DisplayList, ListError, Pass, VertexCache};
 use crate::color::Format;
 use crate::frame::{Frame, Rect, Size, Supplies, Target};
 use crate::math::Mat4;
-use crate::raster::{Limits, ScreenVertex, SpanBatch};
+use crate::raster::{Limits, ScreenVertex, SpanBatch, Traversal};
 use crate::scene::{Mesh, Topology};
 use crate::shade::{Bound, Corner, Counter, Event, Shader, State, Varying};
 
@@ -117,11 +117,12 @@ struct Replay<'r, 'f, S: State, F: Format, D> {
 
 impl<'r, 'f, S: State, F: Format, D: Supplies<Access<S>>> Replay<'r, 'f, S, F, D> {
     /// Within `area`, as far as the frame reaches.
+    #[inline(always)]
     fn new<V: Varying>(frame: &'r mut Frame<'f, F, D>, state: &'r mut S, area: Rect) -> Self {
         let area = frame.scissor().intersection(area);
         let target = frame.target();
         let limits = limits_of_few::<V, S, F, D>(state, &target, &area);
-        let (walk, batch) = (Walk::<S>::default(), SpanBatch::default());
+        let (walk, batch) = (Walk::<S>::default(), SpanBatch::made_by_stores());
         Self { target, state, area, limits, walk, batch }
     }
 
@@ -201,7 +202,7 @@ impl<S: State> Pass<'_, S> {
         let (vertices, whole) = (mesh.vertices(), Rect::from_size(picture));
         let mut transform = Transform::NONE;
         let ready = self.set_up(picture, whole, model, vertices, shader, &mut transform);
-        let Some(SetUp { mapping, area, culled, prepared, .. }) = ready else {
+        let Some(SetUp { mapping, area, is_whole, culled, prepared }) = ready else {
             for _ in 0..mesh.triangles() {
                 self.state.counter().event(Event::Triangle);
                 self.state.counter().event(Event::Skipped);
@@ -210,8 +211,6 @@ impl<S: State> Pass<'_, S> {
         };
         let (cursor, fan) = (T::Cursor::default(), Fan::default());
         let topology = mesh.topology;
-        // Of bands, most triangles reach beyond.
-        let is_whole = false;
         let assembly =
             Assembly { topology, cursor, mapping, area, is_whole, culled, fan, next_number: 0 };
         let draw = Draw { vertices, shader, prepared: &prepared };
@@ -247,16 +246,24 @@ impl<S: State> Pass<'_, S> {
         let Recording { list, shader, prepared, area } = recording;
         let Some(prepared) = prepared else { return Ok(()) };
         let bound = Bound { shader: *shader, prepared };
-        let rows = frame.size().height;
+        let Size { width: frame_width, height: rows } = frame.size();
         let mut band = list.band(frame.picture(), frame.first_row(), rows)?;
         let end = i32::from(frame.first_row()).wrapping_add(rows.into());
         let mut replay = Replay::new::<H::Varying>(frame, &mut self.state, *area);
-        while let Some(number) = list.next(&mut band) {
-            let Some((recorded, bottom)) = list.recorded(number, !H::Varying::AT_ONCE) else {
+        // Triangles that neither come from above nor go on below do not reach beyond the band.
+        let (width, top) = (frame_width.into(), end.wrapping_sub(rows.into()));
+        let band_area = Rect { left: 0, top, right: width, bottom: end };
+        let is_whole = list.are_inside()
+            && replay.area == band_area.intersection(*area)
+            && replay.state.traversal().takes_whole_area();
+        while let Some((number, begins)) = list.next(&mut band) {
+            let Some((mut recorded, bottom)) = list.recorded(number, !H::Varying::AT_ONCE) else {
                 break;
             };
             if bottom > end {
                 list.carry(number);
+            } else if begins {
+                recorded.triangle.is_inside = is_whole;
             }
             replay.draw(&recorded, &bound);
         }
@@ -367,8 +374,9 @@ impl<H: Shader> Draw<'_, H> {
         C: Counter,
     {
         assembly.face(positions);
-        let mut face = Face::NONE;
+        let (mut face, mut are_inside) = (Face::NONE, true);
         while assembly.next(positions, cache.entries, counter, &mut face) {
+            are_inside &= face.triangle.is_inside;
             let Some(first_row) = first_row(&face.triangle, &assembly.area) else {
                 if !face.clipped {
                     counter.event(Event::Outside);
@@ -387,6 +395,7 @@ impl<H: Shader> Draw<'_, H> {
                 counter.event(Event::Drawn);
             }
         }
+        list.end(are_inside);
     }
 
     /// Records a triangle whose vertices others may share; `None` if the mesh lacks one.

@@ -128,11 +128,8 @@ where
                 let color = self.surface.fragment(prepared, surface)?;
                 self.environment.combine_begun(&sampler, *uv, color)
             };
-            let Some(multiplies) = E::IN_LANES.filter(|_| <S::Level as Sample>::IN_LANES) else {
-                let mixes = E::IN_LANES.is_some() && <S::Level as Sample>::IN_ROWS;
-                if !(mixes && sampler.mixes(row.step().1.right)) {
-                    return row.each(fragment);
-                }
+            let mixes = E::IN_LANES.is_some() && <S::Level as Sample>::IN_ROWS;
+            if mixes && sampler.mixes(row.step().1.right) {
                 return row.each_in_blocks(
                     fragment,
                     |(_, uv), (_, step), mixed| sampler.mix_row(*uv, step.right.u, mixed),
@@ -142,6 +139,9 @@ where
                         Some(<S::Level as Sample>::show_mixed::<F>(mixed, color))
                     },
                 );
+            }
+            let Some(multiplies) = E::IN_LANES.filter(|_| <S::Level as Sample>::IN_LANES) else {
+                return row.each(fragment);
             };
             return row.each_in_lanes(
                 fragment,

@@ -107,7 +107,7 @@ impl TexelFormat for Rgb565 {
         Some([Self::pair(*a, *b), Self::pair(*c, *d)])
     }
 
-    const IN_ROWS: bool = !HAS_VECTORS;
+    const IN_ROWS: bool = true;
 
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "of a picture")]

@@ -35,6 +35,9 @@ pub(crate) fn page(missed: &[Missed<'_>]) -> String {
          also the loop, as the emulator disassembles it, with how often each instruction was \
          executed a pixel.\n",
     );
+    if missed.is_empty() {
+        text.push_str("\nNo scene does.\n");
+    }
     for missed in missed {
         let Missed { board, scene, mark, figure, most, per, units, profile } = missed;
         let part = if mark == scene { String::new() } else { format!(" ({mark})") };

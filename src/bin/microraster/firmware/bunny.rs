@@ -130,6 +130,8 @@ mod tests {
         let words = words.expect("one triangle is a mesh");
         let model = Model::view(bytemuck::cast_slice(&words)).expect("the writer's own format");
         assert_eq!(model.indices, [0, 1, 2]);
+        let corners = [0, 1, 2].map(|corner| model.positions[corner]);
+        assert_eq!(model.planes, [model.plane_scale.plane(corners)]);
         assert_eq!(model.normals, [[0, 0, 127]; 3]);
         assert_eq!(model.positions[1], [32767, -16384, 0]);
         assert_eq!(model.offset.map(f32::to_bits), [1f32, 1.0, 0.0].map(f32::to_bits));
@@ -137,7 +139,8 @@ mod tests {
 
     #[test]
     fn a_cut_file_is_no_model() {
-        let mut words = vec![0u32; 8];
+        // The header, and what planes are made for: none.
+        let mut words = vec![0u32; 10];
         bytemuck::cast_slice_mut(&mut words)[..8].copy_from_slice(&MAGIC);
         assert!(Model::view(bytemuck::cast_slice(&words)).is_some(), "an empty mesh is one");
         words[2] = 1;

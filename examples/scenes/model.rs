@@ -44,19 +44,6 @@ pub(crate) struct Model<'a> {
 }
 
 impl<'a> Model<'a> {
-    /// Where there are no planes.
-    pub(crate) const NO_PLANES: PlaneScale = PlaneScale { radius: 0, reach: [0; 3] };
-    /// No triangles.
-    pub(crate) const EMPTY: Self = Self {
-        positions: &[],
-        normals: &[],
-        planes: &[],
-        plane_scale: Self::NO_PLANES,
-        indices: &[],
-        scale: 1.0,
-        offset: [0.0; 3],
-    };
-
     /// A view of the file's bytes, which must start at a multiple of four. `None` when they are
     /// not such a file, or on a big-endian machine.
     pub(crate) fn view(file: &'a [u8]) -> Option<Self> {

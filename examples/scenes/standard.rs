@@ -15,11 +15,11 @@ use microraster::models::{TEAPOT_INDICES, TEAPOT_NORMALS, TEAPOT_PLANES, TEAPOT_
 use microraster::raster::ScreenVertex;
 use microraster::{
     Camera, ConstantDepth, Cull, DepthBuffer, FacePlanes, Flat, Frame, FrameError, Gouraud,
-    IndexedList, Lambert, Less, Light, Mesh, Normal, Pass, Rgb, Rgb565, ScreenPass, Shader, Size,
-    Topology, WithPlanes,
+    IndexedList, Lambert, Less, Light, Mesh, Normal, Pass, PlaneScale, Rgb, Rgb565, ScreenPass,
+    Shader, Size, Topology, WithPlanes,
 };
 
-use super::{grid, Facts, Group, Model, Probe, Scene, Stage, ROOM};
+use super::{grid, Facts, Group, Probe, Scene, Stage, ROOM};
 
 pub(crate) const SIZE: Size = Size::new(320, 240);
 /// Bytes of an RGB565 picture.
@@ -279,13 +279,15 @@ pub(crate) fn placement(positions: &[[i16; 3]]) -> (Vec3, Vec3) {
 }
 
 fn bunny_without_planes<'a>(stage: &Stage<'a>) -> Lit<'a> {
-    let Model { positions, normals, indices, .. } = stage.bunny.unwrap_or(Model::EMPTY);
-    fitted(positions, normals, indices)
+    stage.bunny.map_or(Mesh::new(&[], &[]).indexed(&[]), |model| {
+        fitted(model.positions, model.normals, model.indices)
+    })
 }
 
 pub(super) fn bunny<'a>(stage: &Stage<'a>) -> LitWithPlanes<'a> {
-    let Model { planes, plane_scale, .. } = stage.bunny.unwrap_or(Model::EMPTY);
-    bunny_without_planes(stage).with_planes(FacePlanes::new(planes, plane_scale))
+    let none = FacePlanes::new(&[], PlaneScale { radius: 1, reach: [0; 3] });
+    let planes = stage.bunny.map_or(none, |model| FacePlanes::new(model.planes, model.plane_scale));
+    bunny_without_planes(stage).with_planes(planes)
 }
 
 fn teapot() -> LitWithPlanes<'static> {

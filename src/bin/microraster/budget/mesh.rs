@@ -4,6 +4,7 @@ use super::settings::{DISTANCE, HALF_VIEW, MESH_ROOM};
 use crate::firmware::mesh_file;
 use crate::firmware::scenes::Model as MeshFile;
 use microraster::host::{MeshData, Model};
+use microraster::PlaneScale;
 use microraster::Size;
 use std::path::Path;
 
@@ -52,7 +53,7 @@ impl Prepared {
                 positions: &part.positions,
                 normals: &part.normals,
                 planes: &[],
-                plane_scale: MeshFile::NO_PLANES,
+                plane_scale: PlaneScale { radius: 0, reach: [0; 3] },
                 indices: &part.indices,
                 scale,
                 offset: [0.0; 3],

@@ -17,6 +17,7 @@ mod fill;
 mod fill_few;
 #[cfg(all(test, feature = "std"))]
 mod fill_tests;
+mod fill_trapezoids;
 mod line;
 mod list_error;
 mod mapping;
